@@ -1,0 +1,69 @@
+/// MUSL, the double mapping scheme (review 2.5.4, Algorithm 2; line numbers in the margin): the nodal velocities of the stress update are mapped
+/// back from the updated particles, so that no force is ever divided by a tiny nodal mass.
+#pragma once
+#include "chapters/explicit/point.hpp"
+#include "lab/body.hpp"
+
+namespace mpm {
+
+struct Musl {
+    static constexpr const char* name = "musl";
+    template <int Dim> struct NodeOf : mpm::Node<Dim> {
+        Vec<Dim> v_tilde = Vec<Dim>::Zero();  // velocity before the second mapping
+        void reset() { *this = NodeOf(); }
+    };
+
+    template <class Bodies, class Transfer, class Coupling, class Scene>
+    void step(Bodies& bodies, const Transfer& transfer, const Coupling& coupling, const Scene& scene, double t, double dt) const {
+        using Body = typename Bodies::value_type;
+        using Node = typename Body::Node;
+        constexpr int D = Body::D;
+        for (auto& body : bodies) {
+            body.grid.reset();                                                            // 6
+            scatter(body, [&](const auto& p, const auto& weights) {                       // 7
+                const Mat<D> V_sigma = p.V * p.sigma;
+                for (const auto& [node, phi, grad] : weights) {
+                    node.m += phi * p.m;                                                  // 8
+                    node.mv += phi * p.m * transfer.velocity(p, node);                    // 9
+                    node.f -= V_sigma * grad;                                             // 11
+                }
+            });
+            scene.load(body, t);                                                          // 10, 12
+            for (auto& node : body.grid) node.mv_new = node.mv + dt * node.f;             // 14
+            scene.fix(body.grid, &Node::mv, t);                                           // 15
+            scene.fix(body.grid, &Node::mv_new, t + dt);
+        }
+        coupling(bodies, dt);
+        for (auto& body : bodies) {
+            transfer.nodal_velocities(body);                                              // 17
+            for (auto& node : body.grid) {
+                node.v_tilde = node.v_new;
+                node.mv_new = Vec<D>::Zero();
+            }
+            scatter(body, [&](auto& p, const auto& weights) {                             // 16
+                transfer.update_velocity(p, weights);                                     // 19
+                for (const auto& [node, phi, grad] : weights)
+                    node.mv_new += phi * p.m * transfer.velocity(p, node);                // 20
+            });
+            scene.fix(body.grid, &Node::mv_new, t + dt);                                  // 21
+        }
+        coupling(bodies, dt);
+        for (auto& body : bodies) {
+            for (auto& node : body.grid) node.v_new = velocity(node.mv_new, node.m);      // 24
+            gather(body, [&](auto& p, const auto& weights) {                              // 23
+                Vec<D> v = Vec<D>::Zero();
+                Mat<D> L = Mat<D>::Zero();
+                for (const auto& [node, phi, grad] : weights) {
+                    v += phi * node.v_tilde;
+                    L += node.v_new * grad.transpose();                                   // 25
+                }
+                p.x += dt * v;                               // 18, here since the weights of 25 are those of x at t
+                p.F += dt * L * p.F;                                                      // 26
+                p.V = p.F.determinant() * p.V0;                                           // 27
+                body.law.update(p, L, dt);                                                // 28
+            });
+        }
+    }
+};
+
+}  // namespace mpm

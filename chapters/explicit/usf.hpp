@@ -1,0 +1,55 @@
+/// USF, update stress first (Bardenhagen 2002; review remark 17 and lines 1-13, 27-29 of Algorithm 6 without contact): the stress is updated
+/// with the nodal velocities at the start of the step, and its forces move the same step.
+#pragma once
+#include "chapters/explicit/point.hpp"
+#include "lab/body.hpp"
+
+namespace mpm {
+
+struct Usf {
+    static constexpr const char* name = "usf";
+    template <int D> using NodeOf = mpm::Node<D>;
+
+    template <class Bodies, class Transfer, class Coupling, class Scene>
+    void step(Bodies& bodies, const Transfer& transfer, const Coupling& coupling, const Scene& scene, double t, double dt) const {
+        using Body = typename Bodies::value_type;
+        using Node = typename Body::Node;
+        constexpr int D = Body::D;
+        for (auto& body : bodies) {
+            body.grid.reset();
+            scatter(body, [&](const auto& p, const auto& weights) {                       // 2
+                for (const auto& [node, phi, grad] : weights) {
+                    node.m += phi * p.m;                                                  // 3
+                    node.mv += phi * p.m * transfer.velocity(p, node);                    // 4
+                }
+            });
+            scene.fix(body.grid, &Node::mv, t);
+            for (auto& node : body.grid) node.mv_new = node.mv;
+            transfer.nodal_velocities(body);                                              // 5
+            scatter(body, [&](auto& p, const auto& weights) {
+                Mat<D> L = Mat<D>::Zero();
+                for (const auto& [node, phi, grad] : weights) L += node.v * grad.transpose();  // 6
+                p.F += dt * L * p.F;                                                      // 7
+                p.V = p.F.determinant() * p.V0;                                           // 8
+                body.law.update(p, L, dt);                                                // 9
+                const Mat<D> V_sigma = p.V * p.sigma;
+                for (const auto& [node, phi, grad] : weights) node.f -= V_sigma * grad;   // 10
+            });
+            scene.load(body, t);                                                          // 11
+            for (auto& node : body.grid) node.mv_new = node.mv + dt * node.f;             // 13
+            scene.fix(body.grid, &Node::mv_new, t + dt);
+        }
+        coupling(bodies, dt);                                                             // 14-26
+        for (auto& body : bodies) {
+            transfer.nodal_velocities(body);
+            gather(body, [&](auto& p, const auto& weights) {                              // 27
+                Vec<D> v = Vec<D>::Zero();
+                for (const auto& [node, phi, grad] : weights) v += phi * node.v_new;
+                transfer.update_velocity(p, weights);                                     // 28
+                p.x += dt * v;                                                            // 29
+            });
+        }
+    }
+};
+
+}  // namespace mpm

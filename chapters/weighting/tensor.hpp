@@ -1,0 +1,54 @@
+/// Weighting functions that are products of one-dimensional ones (review 3.3), and their total-Lagrangian store.
+#pragma once
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "lab/stencil.hpp"
+
+namespace mpm {
+
+/// The weighting function of a body, made of a one-dimensional `Kernel`. A kernel has
+///   name        what `--shape` calls it;
+///   support     nodes a point touches along an axis;
+///   min_cells   fewest cells along an axis;
+///   per_cell    nodes per cell and axis;
+/// and is called as kernel(xi, cells) with xi in cells from the lower end of a grid of `cells` cells, giving AxisWeights. A
+/// kernel that needs the particle's size is called as kernel(xi, cells, size), size [cells] from kernel.size(p, axis).
+/// Kernels fold what reaches past an end of the grid onto the grid: c_-1 = 2 c_0 - c_1 (zero second derivative, review 3.4).
+template <int D, class KernelType> struct Tensor {
+    using Kernel = KernelType;
+    static constexpr int N = Kernel::support;
+
+    Lattice<D> lattice;
+    Kernel kernel{};
+
+    template <class Point> Stencil<D, power(N, D)> at(const Vec<D>& x, const Point& p) const {
+        return tensor_stencil<D, N>(lattice, x, [&](int axis, double xi) {
+            const int cells = lattice.cells[static_cast<std::size_t>(axis)];
+            if constexpr (requires { kernel.size(p, axis); })
+                return kernel(xi, cells, kernel.size(p, axis));
+            else
+                return kernel(xi, cells);
+        });
+    }
+    template <class Point> Stencil<D, power(N, D)> operator()(const Point& p, std::size_t) const { return at(p.x, p); }
+};
+
+/// Weights evaluated once, at the initial positions, and kept: the shape of every total-Lagrangian scheme (review 2.6).
+template <class Shape> class Stored {
+public:
+    using Kernel = typename Shape::Kernel;
+    Stored() = default;
+    template <class Points> Stored(const Shape& shape, const Points& points) {
+        stencils_.reserve(points.size());
+        for (const auto& p : points) stencils_.push_back(shape.at(p.X, p));
+    }
+    template <class Point> const auto& operator()(const Point&, std::size_t i) const { return stencils_[i]; }
+
+private:
+    using StencilType = decltype(std::declval<const Shape&>().at(std::declval<decltype(Shape::lattice.origin)>(), 0));
+    std::vector<StencilType> stencils_;
+};
+
+}  // namespace mpm
