@@ -14,6 +14,9 @@ std::string number_text(double x);
 /// A CSV field: quoted when it holds a comma, a quote or a line break.
 std::string csv_field(std::string_view text);
 
+/// Foreign text for a one-line message: line breaks and control characters escaped, cut after `limit` characters (then "...").
+std::string one_line(std::string_view text, std::size_t limit = 60);
+
 /// A CSV file being written. Throws FileTrouble (lab/options.hpp) with the path when it cannot be opened or written (a full disk).
 class CsvFile {
 public:

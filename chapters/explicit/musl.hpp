@@ -8,6 +8,7 @@ namespace mpm {
 
 struct Musl {
     static constexpr const char* name = "musl";
+    template <int D> using PointOf = Point<D>;
     template <int Dim> struct NodeOf : mpm::Node<Dim> {
         Vec<Dim> v_tilde = Vec<Dim>::Zero();  // velocity before the second mapping
         void reset() { *this = NodeOf(); }

@@ -1,21 +1,25 @@
 /// TLMPM, the total-Lagrangian MPM (review 2.6, Algorithm 3; line numbers in the margin): weights and gradients belong to the initial
 /// positions and are stored (`Stored<Shape>`), forces come from the first Piola-Kirchhoff stress. No cell crossing, no numerical fracture,
-/// but no contact between bodies either. `double_mapping` is the printed MUSL flavour; without it the grid velocities of line 17 stay (USL).
+/// but no contact between bodies either. `stress` "musl" is the printed flavour; with "usl" the grid velocities of line 17 stay (USL).
 #pragma once
+#include <string>
+
 #include "chapters/explicit/musl.hpp"
 
 namespace mpm {
 
 struct Tlmpm {
     static constexpr const char* name = "tlmpm";
+    template <int D> using PointOf = Point<D>;
     template <int D> using NodeOf = Musl::NodeOf<D>;
-    bool double_mapping = true;  // MUSL flavour, or USL
+    std::string stress = "musl";  // MUSL flavour, or "usl"
 
     template <class Bodies, class Transfer, class Coupling, class Scene>
     void step(Bodies& bodies, const Transfer& transfer, const Coupling& coupling, const Scene& scene, double t, double dt) const {
         using Body = typename Bodies::value_type;
         using Node = typename Body::Node;
         constexpr int D = Body::D;
+        const bool double_mapping = stress == "musl";
         for (auto& body : bodies) {
             body.grid.reset();                                                            // 7
             scatter(body, [&](const auto& p, const auto& weights) {                       // 8

@@ -8,6 +8,7 @@ namespace mpm {
 
 struct Usf {
     static constexpr const char* name = "usf";
+    template <int D> using PointOf = Point<D>;
     template <int D> using NodeOf = mpm::Node<D>;
 
     template <class Bodies, class Transfer, class Coupling, class Scene>

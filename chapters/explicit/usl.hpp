@@ -8,6 +8,7 @@ namespace mpm {
 
 struct Usl {
     static constexpr const char* name = "usl";
+    template <int D> using PointOf = Point<D>;
     template <int D> using NodeOf = mpm::Node<D>;
     double cutoff = 0;  // nodes with at most this mass are left out (2.63) [mass]
 

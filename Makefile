@@ -1,0 +1,28 @@
+# The thin front door. `make figures` sets up, builds and draws; `make check` passes the tests.
+JOBS ?= $(shell nproc)
+.PHONY: all setup build check figures sanitize bench clean
+.DEFAULT_GOAL := all
+
+all: build
+setup:
+	@./plots/setup.sh
+build: setup
+	@cmake --preset release >build.log 2>&1 || { cat build.log; exit 1; }
+	@rm -f build.log
+	cmake --build build -j$(JOBS)
+check: build
+	cd build && ctest --output-on-failure -j$(JOBS)
+figures: build
+	./plots/figures.sh build figures
+sanitize: setup
+	cmake --preset debug
+	cmake --build build-debug -j$(JOBS)
+	cd build-debug && ctest --output-on-failure -j$(JOBS)
+bench: build
+	cmake --build build --target benchmark_step
+	./build/benchmark_step
+%: build
+	@test -x build/$@ || { echo "no such program: $@"; exit 2; }
+clean:
+	rm -rf build build-native build-debug figures
+Makefile: ;

@@ -1,0 +1,30 @@
+/// The weighting functions of review 3.2 to 3.5 by name, for `--shape`. A new one is a header and an entry here.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "chapters/weighting/bernstein.hpp"
+#include "chapters/weighting/cpgimp.hpp"
+#include "chapters/weighting/cubic.hpp"
+#include "chapters/weighting/hat.hpp"
+#include "chapters/weighting/quadratic.hpp"
+#include "chapters/weighting/ugimp.hpp"
+
+namespace mpm {
+
+template <class... Kernels> struct ShapeList {
+    static std::vector<std::string> names() { return {Kernels::name...}; }
+
+    /// Calls visit(Kernel{}) for the kernel of that name; false if there is none.
+    template <class Visit> static bool with(const std::string& name, Visit&& visit) {
+        return ((name == Kernels::name && (static_cast<void>(visit(Kernels{})), true)) || ...);
+    }
+};
+
+using AllShapes = ShapeList<Hat, Ugimp, Cpgimp, Quadratic, Cubic, Bernstein>;
+
+/// Those fit for updated-Lagrangian schemes: the review keeps Bernstein functions to total-Lagrangian ones.
+using SmoothEnough = ShapeList<Hat, Ugimp, Cpgimp, Quadratic, Cubic>;
+
+}  // namespace mpm

@@ -1,0 +1,198 @@
+#include "lab/program.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <system_error>
+
+#include "lab/figure.hpp"
+
+#ifndef MPM_LAB_VERSION
+#define MPM_LAB_VERSION "0.1"
+#endif
+
+namespace mpm {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+void make_folder(const std::string& path) {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error || !fs::is_directory(path)) throw FileTrouble("cannot make the folder " + path + ": " + error.message());
+}
+
+RunPlan plan_of(const Common& c, const Assembled& a, const std::string& folder, const std::vector<std::string>& columns) {
+    RunPlan plan;
+    const double wanted = c.dt > 0 ? c.dt : c.cfl * a.critical_dt;
+    const double steps = std::ceil(c.t_end / wanted * (1 - 1e-12));
+    if (!(steps < 1e10)) throw BadInput("the time step " + number_text(wanted) + " needs more than 1e10 steps to reach " + number_text(c.t_end));
+    plan.steps = std::max(1L, static_cast<long>(steps));
+    plan.dt = c.t_end / static_cast<double>(plan.steps);  // whole steps: the last one ends at t_end
+    plan.records = c.records;
+    plan.frames = c.frames;
+    plan.stop_on_trouble = c.watch == "stop";
+    plan.folder = folder;
+    plan.columns = columns;
+    plan.critical_dt = a.critical_dt;
+    return plan;
+}
+
+void figure(const Description& about, const Common& c, const std::string& folder, std::vector<std::string>& files) {
+    const double window = about.period > 0 ? std::min(c.t_end, 10 * about.period) : c.t_end;
+    const std::string first = "[0:" + number_text(window) + "]";
+    std::vector<Panel> panels;
+    std::vector<Curve> own;
+    for (const std::string& name : about.columns)
+        own.push_back({name, name.ends_with("_exact") ? "exact" : "computed", name.ends_with("_exact") ? "lines dt 2 lc rgb 'black'" : "lines lc rgb '#c03030'"});
+    panels.push_back({"", "t", "time t [time]", "velocity of the centre of mass [length/time]", own, first});
+    panels.push_back({"", "t", "time t [time]", "energy [force length]",
+                      {{"kinetic", "kinetic", "lines lc rgb '#3060c0'"}, {"strain", "strain", "lines lc rgb '#40a040'"}, {"total", "total", "lines lc rgb 'black'"}}, first});
+    files.push_back(write_figure(folder, about.program, "history.csv", about.program + ": " + about.solves, panels));
+    if (c.plot == "none") return;
+    std::string why;
+    const std::string picture = draw_figure(folder, about.program, c.plot, why);
+    if (picture.empty())
+        std::printf("no picture: %s\n", why.c_str());
+    else
+        files.push_back(picture);
+}
+
+void report(const Assembled& a, const RunResult& r, const RunPlan& plan, double t_end) {
+    std::printf("%s, %s, %s: %d cells, h = %.4g, %ld particles, dt = %.4g (%.3g of h/(c + |v|)), %ld steps\n", a.row.scheme.c_str(),
+                a.row.shape.c_str(), a.row.transfer.c_str(), a.row.cells, a.row.h, a.row.particles, plan.dt, plan.dt / plan.critical_dt, r.steps);
+    if (r.ok())
+        for (const auto& [name, value] : a.facts(t_end)) std::printf("  %-36s %12.5g\n", name.c_str(), value);
+    std::printf("  %-36s %12.3e\n  %-36s %12.3e\n", "energy drift / energy in play", r.energy_drift, "change of momentum", r.momentum_drift);
+    std::printf("  %-36s %9.3f s wall, %.3f s CPU, %.1f ns per particle step\n", "run time of the method", r.wall, r.cpu,
+                1e9 * r.wall / static_cast<double>(std::max(1L, r.steps)) / static_cast<double>(a.row.particles));
+    std::printf("  %-36s %ld B per particle, %ld B per node, peak %ld kB\n", "memory", a.row.bytes_per_particle, a.row.bytes_per_node, peak_memory_kb());
+    if (r.trouble) std::printf("  UNSTABLE at t = %.6g: %s: %s\n", r.t_fail, r.trouble.cause.c_str(), r.trouble.reason.c_str());
+    if (r.interrupted) std::printf("  INTERRUPTED at t = %.6g; the last state is written\n", r.t);
+}
+
+}  // namespace
+
+void Common::declare(Options& o, const std::vector<std::string>& shapes, double default_t_end) {
+    t_end = default_t_end;
+    o.integers("cells", cells, "cells", between(3, 1000000), "cells across the body's longest side; a list runs each");
+    o.integer("ppc", ppc, "-", between(1, 100), "particles per cell and direction");
+    o.choice("shape", shape, shapes, "weighting function");
+    o.number("cfl", cfl, "-", above(0), "time step as a fraction of h/(c + |v|)");
+    o.number("dt", dt, "time", at_least(0), "time step; 0: from --cfl");
+    o.contradict("dt", "cfl");
+    o.number("t-end", t_end, "time", above(0), "end of the run");
+    o.number("periods", periods, "-", at_least(0), "end of the run in periods; 0: from --t-end");
+    o.contradict("periods", "t-end");
+    o.text("out", out, "folder of the run; empty: out/<program>/<label>");
+    o.text("label", label, "name of the run; empty: made of the options that differ");
+    o.integer("records", records, "rows", between(1, 100000000), "rows of history.csv");
+    o.integer("frames", frames, "-", between(0, 100000), "snapshots of particles and nodes");
+    o.choice("plot", plot, {"none", "png", "svg", "pdf", "tikz"}, "picture to draw");
+    o.integer("repeat", repeat, "-", between(1, 1000), "runs of each resolution; the fastest is reported");
+    o.choice("watch", watch, {"stop", "warn"}, "stop when unstable, or go on and say so at the end");
+    o.flag("quiet", quiet, "say nothing but errors");
+    o.flag("dry-run", dry_run, "print what would run, run nothing");
+    for (const char* name : {"out", "label", "plot", "quiet", "dry-run", "records", "frames", "repeat"}) o.unlabelled(name);
+}
+
+bool answered(const Options& options, const std::string& program) {
+    if (options.asked("help")) std::fputs(options.help().c_str(), stdout);
+    else if (options.asked("version")) std::printf("%s, MPM Lab %s\n", program.c_str(), MPM_LAB_VERSION);
+    else if (options.asked("describe")) std::fputs(options.describe().c_str(), stdout);
+    else return false;
+    return true;
+}
+
+int guarded(const std::string& program, const std::function<int()>& main_body) {
+    try {
+        return main_body();
+    } catch (const BadInput& bad) {
+        std::fprintf(stderr, "%s: %s\n", program.c_str(), bad.what());
+        return 2;
+    } catch (const FileTrouble& bad) {
+        std::fprintf(stderr, "%s: %s\n", program.c_str(), bad.what());
+        return 1;
+    }
+}
+
+int run_program(const Description& about, const Options& options, const Common& common, const std::function<Assembled(int)>& assemble) {
+    catch_interrupts();
+    Common c = common;
+    if (c.periods > 0) c.t_end = c.periods * about.period;
+    const std::string label = c.label.empty() ? options.label() : c.label;
+    if (label.find('/') != std::string::npos) throw BadInput("--label " + label + ": a name without '/' is allowed");
+    const std::string folder = c.out.empty() ? "out/" + about.program + "/" + label : c.out;
+    if (!c.quiet) std::printf("%s: %s\n", about.program.c_str(), about.solves.c_str());
+    if (c.dry_run) {
+        for (const int cells : c.cells) {
+            const Assembled a = assemble(cells);
+            const RunPlan plan = plan_of(c, a, folder, about.columns);
+            std::printf("%d cells: critical step %.4g, dt %.4g, %ld steps, %ld particles, about %.2g s\n", cells, a.critical_dt, plan.dt, plan.steps,
+                        a.row.particles, 1e-7 * static_cast<double>(plan.steps) * static_cast<double>(a.row.particles));
+        }
+        return 0;
+    }
+    make_folder(folder);
+    write_file(folder + "/run.ini", options.ini());
+    CsvFile summary(folder + "/summary.csv", summary_columns());
+    std::vector<std::string> files{folder + "/run.ini", summary.path()};
+    std::vector<SummaryRow> rows, headline;
+    bool unstable = false;
+    for (const int cells : c.cells) {
+        const std::string here = c.cells.size() > 1 ? folder + "/cells-" + std::to_string(cells) : folder;
+        make_folder(here);
+        RunResult best;
+        Assembled a;
+        RunPlan plan;
+        for (int i = 0; i < c.repeat; ++i) {
+            Assembled fresh = assemble(cells);
+            plan = plan_of(c, fresh, here, about.columns);
+            RunResult r = run(fresh.simulation, plan);
+            if (i == 0 || r.wall < best.wall) best = r;
+            a = std::move(fresh);
+            if (r.interrupted) break;
+        }
+        unstable = unstable || best.trouble;
+        SummaryRow row = a.row;
+        row.program = about.program;
+        row.options = options.changed();
+        row.dt = plan.dt;
+        row.cfl = plan.dt / a.critical_dt;
+        row.steps = best.steps;
+        row.t_end = c.t_end;
+        row.energy_drift = best.energy_drift;
+        row.momentum_drift = best.momentum_drift;
+        row.wall_s = best.wall;
+        row.cpu_s = best.cpu;
+        row.ns_per_particle_step = 1e9 * best.wall / static_cast<double>(std::max(1L, best.steps)) / static_cast<double>(row.particles);
+        row.peak_rss_kb = peak_memory_kb();
+        row.verdict = best.trouble ? "unstable:" + best.trouble.cause : best.interrupted ? "interrupted" : "ok";
+        row.t_fail = best.trouble ? best.t_fail : nan;
+        row.reason = best.trouble.reason;
+        row.reference = "exact";
+        std::size_t first = rows.size();
+        for (const NamedError& e : a.errors(c.t_end)) {
+            row.error_name = e.name;
+            row.error = best.ok() ? e.value : nan;
+            rows.push_back(row);
+        }
+        fill_orders(rows);
+        headline.push_back(rows[first]);
+        for (; first < rows.size(); ++first) summary.row(summary_fields(rows[first]));
+        files.insert(files.end(), best.files.begin(), best.files.end());
+        figure(about, c, here, files);
+        if (!c.quiet) report(a, best, plan, c.t_end);
+        if (best.interrupted) return 130;
+    }
+    if (!c.quiet) {
+        if (c.cells.size() > 1) std::fputs(error_table(headline).c_str(), stdout);
+        std::printf("written:");
+        for (const std::string& f : files) std::printf(" %s", f.c_str());
+        std::printf("\n");
+    }
+    return unstable ? 3 : 0;
+}
+
+}  // namespace mpm

@@ -1,0 +1,55 @@
+/// The one run loop: whole steps, a stopwatch around the method only, records, the watch for instability, the verdict.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lab/clock.hpp"
+#include "lab/monitor.hpp"
+
+namespace mpm {
+
+/// One assembled problem as the loop sees it: called once a step or once a record, so that the loop is compiled once.
+struct Simulation {
+    std::function<void(double t, double dt)> step;               // the method, all that is timed
+    std::function<Measures()> measure;                           // energies and momentum now
+    std::function<Trouble()> check;                              // every step: is any particle beyond repair?
+    std::function<void(double t, double energy)> sample;         // every step: the scene's observer
+    std::function<bool(double t)> wants_energy;                  // whether `sample` wants the energy at t
+    std::function<std::vector<double>(double t)> watch;          // the scene's own history columns
+    std::function<void(const std::string& path)> write_particles;
+    std::function<void(const std::string& path)> write_nodes;
+    std::function<void()> keep;                                  // remember this state as good
+    std::function<void()> restore;                               // go back to the last good state
+};
+
+struct RunPlan {
+    double dt = 0;
+    long steps = 0;
+    int records = 1000, frames = 0;
+    bool stop_on_trouble = true;
+    std::string folder;                          // where history and snapshots go
+    std::vector<std::string> columns;            // names of `watch`
+    double critical_dt = 0;                      // h/(c + |v|), to name a likely cause
+    bool progress = false;
+};
+
+struct RunResult {
+    Trouble trouble;
+    double t_fail = 0, t = 0;
+    long steps = 0;
+    double wall = 0, cpu = 0;
+    double energy_drift = 0, momentum_drift = 0;  // relative to the largest energy; change of momentum
+    double energy_growth = 0;                     // what the balance does not account for, relative to the energy in play
+    bool interrupted = false;
+    std::vector<std::string> files;
+    bool ok() const { return !trouble && !interrupted; }
+};
+
+RunResult run(Simulation& simulation, const RunPlan& plan);
+
+/// SIGINT and SIGTERM let the running step finish and end the run with exit code 130.
+void catch_interrupts();
+bool interrupted();
+
+}  // namespace mpm
