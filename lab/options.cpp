@@ -250,7 +250,8 @@ std::vector<Setting> read_config(const std::string& path, const Words& names) {
     int number = 0;
     for (std::size_t from = 0; from < text.size();) {
         const std::size_t end = std::min(text.find('\n', from), text.size());
-        const std::string line = trimmed(text.substr(from, end - from)), where = one_line(path, 300) + ":" + std::to_string(++number) + ": ";
+        const std::string line = trimmed(text.substr(from, end - from));
+        const std::string where = one_line(path, 300) + ":" + std::to_string(++number) + ": ";
         from = end + 1;
         if (line.empty() || line.front() == '#') continue;
         const std::size_t equals = line.find('=');
@@ -268,7 +269,8 @@ std::vector<Setting> read_config(const std::string& path, const Words& names) {
 /// A text in letters, digits and ._+- only.
 std::string safe(std::string text) {
     for (char& c : text)
-        if (!((c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '.' || c == '_' || c == '+')) c = '-';
+        if (!((c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '.' || c == '_' || c == '+' || c == '-'))
+            c = '-';
     return text;
 }
 
@@ -353,7 +355,8 @@ struct Options::Impl {
         entries.push_back(std::move(e));
     }
     bool contradicted(const std::string& name) const {
-        return std::any_of(contradictions.begin(), contradictions.end(), [&](const auto& c) { return c.first == name || c.second == name; });
+        const auto names_it = [&](const auto& pair) { return pair.first == name || pair.second == name; };
+        return std::any_of(contradictions.begin(), contradictions.end(), names_it);
     }
 };
 
@@ -385,7 +388,10 @@ void Options::unlabelled(const std::string& name) { impl_->entry(name).labelled 
 
 void Options::parse(int argc, const char* const* argv) {
     po::options_description known;
-    for (const Entry& e : impl_->entries) e.kind == Kind::flag ? known.add_options()(e.name.c_str(), "") : known.add_options()(e.name.c_str(), po::value<std::string>(), "");
+    for (const Entry& e : impl_->entries) {
+        if (e.kind == Kind::flag) known.add_options()(e.name.c_str(), "");
+        else known.add_options()(e.name.c_str(), po::value<std::string>(), "");
+    }
     known.add_options()("help", "")("version", "")("describe", "")("config", po::value<std::string>(), "");
     const Words own = impl_->names();
     Words all = own, asked;
@@ -418,19 +424,26 @@ void Options::parse(int argc, const char* const* argv) {
     impl_->asked = std::move(asked);
 }
 
-bool Options::asked(const std::string& name) const { return std::find(impl_->asked.begin(), impl_->asked.end(), name) != impl_->asked.end(); }
+bool Options::asked(const std::string& name) const {
+    return std::find(impl_->asked.begin(), impl_->asked.end(), name) != impl_->asked.end();
+}
 bool Options::given(const std::string& name) const {
     return std::find(always.begin(), always.end(), name) != always.end() ? asked(name) : impl_->entry(name).given;
 }
 
 std::string Options::label() const {
     Words items;
-    for (const Entry& e : impl_->entries)
-        if (e.changed()) items.push_back(safe(e.name + "-" + value_text(e.value())));
+    bool lost = false;  // whether other settings may give the same letters
+    for (const Entry& e : impl_->entries) {
+        if (!e.changed()) continue;
+        const std::string value = value_text(e.value());
+        lost = lost || ((e.kind == Kind::text || e.kind == Kind::choice) && value != safe(value));
+        items.push_back(e.name + "-" + safe(value));
+    }
     if (items.empty()) return "default";
     std::string text = joined(items, "_");
-    if (text.size() <= max_label) return text;
-    text.resize(max_label - 9);
+    if (text.size() <= max_label && !lost) return text;
+    text.resize(std::min(text.size(), max_label - 9));
     return text + "_" + short_hash(changed());
 }
 
@@ -447,7 +460,8 @@ std::string Options::help() const {
         const std::string unit = e.unit.empty() || e.unit == "-" ? "" : " [" + e.unit + "]";
         const std::string range = e.kind == Kind::text || e.kind == Kind::flag ? "" : "; " + allowed_text(e);
         const std::string standard = e.kind == Kind::flag ? "" : "; default " + one_line(quoted(value_text(e.standard)));
-        lines.emplace_back("--" + e.name + (e.kind == Kind::flag ? "" : " " + kind_names[static_cast<std::size_t>(e.kind)]), e.help + unit + range + standard);
+        const std::string takes = e.kind == Kind::flag ? "" : " " + kind_names[static_cast<std::size_t>(e.kind)];
+        lines.emplace_back("--" + e.name + takes, e.help + unit + range + standard);
     }
     lines.insert(lines.end(), {{"--config file", "read options from a file of name = value lines; the command line wins"},
                                {"--describe", "print the options as CSV and stop"},

@@ -8,6 +8,7 @@
 #include "lab/body.hpp"
 #include "lab/boundary.hpp"
 #include "lab/monitor.hpp"
+#include "lab/norms.hpp"
 #include "lab/options.hpp"
 #include "lab/record.hpp"
 #include "lab/run.hpp"

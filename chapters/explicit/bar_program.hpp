@@ -5,6 +5,7 @@
 #include "chapters/explicit/flip.hpp"
 #include "chapters/scenes/bar.hpp"
 #include "chapters/weighting/shapes.hpp"
+#include "chapters/weighting/tensor.hpp"
 #include "lab/program.hpp"
 
 namespace mpm {

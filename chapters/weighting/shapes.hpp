@@ -25,6 +25,6 @@ template <class... Kernels> struct ShapeList {
 using AllShapes = ShapeList<Hat, Ugimp, Cpgimp, Quadratic, Cubic, Bernstein>;
 
 /// Those fit for updated-Lagrangian schemes: the review keeps Bernstein functions to total-Lagrangian ones.
-using SmoothEnough = ShapeList<Hat, Ugimp, Cpgimp, Quadratic, Cubic>;
+using UpdatedShapes = ShapeList<Hat, Ugimp, Cpgimp, Quadratic, Cubic>;
 
 }  // namespace mpm

@@ -109,7 +109,7 @@ by_hand::Square by_hand_copy(const auto& body) {
 }
 
 /// Cells along each axis for about `count` particles.
-int cells_for(long count, int D) { return static_cast<int>(std::lround(D == 1 ? count / 2.0 : std::sqrt(count / 4.0))); }
+int cells_for(double count, int D) { return static_cast<int>(std::lround(D == 1 ? count / 2 : std::sqrt(count / 4))); }
 
 void report(benchmark::State& state, std::size_t particles) {
     using benchmark::Counter;
@@ -117,7 +117,7 @@ void report(benchmark::State& state, std::size_t particles) {
 }
 
 template <class Scheme, int D, class Law, class Kernel> void time_page(benchmark::State& state) {
-    auto bodies = vibrating<Scheme, D, Law, Kernel>(cells_for(state.range(0), D), slow);
+    auto bodies = vibrating<Scheme, D, Law, Kernel>(cells_for(static_cast<double>(state.range(0)), D), slow);
     for (auto _ : state) {
         Scheme{}.step(bodies, Flip{}, Free{}, FreeScene{}, 0.0, dt);
         benchmark::ClobberMemory();
@@ -126,7 +126,7 @@ template <class Scheme, int D, class Law, class Kernel> void time_page(benchmark
 }
 
 template <class Law, class Kernel, auto step> void time_kernel(benchmark::State& state) {
-    auto square = by_hand_copy(vibrating<Musl, 2, Law, Kernel>(cells_for(state.range(0), 2), slow)[0]);
+    auto square = by_hand_copy(vibrating<Musl, 2, Law, Kernel>(cells_for(static_cast<double>(state.range(0)), 2), slow)[0]);
     for (auto _ : state) {
         step(square, dt);
         benchmark::ClobberMemory();
