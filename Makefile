@@ -1,4 +1,5 @@
 # The thin front door. `make figures` sets up, builds and draws; `make check` passes the tests.
+MAKEFLAGS += --no-print-directory
 JOBS ?= $(shell nproc)
 .PHONY: all setup build check figures sanitize bench clean
 .DEFAULT_GOAL := all

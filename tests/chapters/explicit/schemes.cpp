@@ -33,7 +33,7 @@ TYPED_TEST(Schemes, FreeSquareKeepsItsEnergy) {
     s.run(200, 0.002);
     const double kept = measure(s.bodies).total() / before;
     EXPECT_LT(kept, 1.02);
-    EXPECT_GT(kept, std::is_same_v<TypeParam, Usl> ? 0.85 : 0.98);  // USL is dissipative (review remark 17): 8.6 % here
+    EXPECT_GT(kept, (std::is_same_v<TypeParam, Usl> ? 0.85 : 0.98));  // USL is dissipative (review remark 17): 8.6 % here
 }
 
 TYPED_TEST(Schemes, MirroredSquareMovesMirrored) {
