@@ -19,7 +19,7 @@ std::string write_figure(const std::string& folder, const std::string& name, con
       << "if (kind eq 'tikz') set terminal cairolatex pdf size 6," << 2.4 * static_cast<double>(panels.size()) << "\n"
       << "set output '" << name << ".'.(kind eq 'tikz' ? 'tex' : kind)\n"
       << "set datafile separator ','\nset grid lc rgb '#dddddd'\nset key outside right top\n"
-      << "set multiplot layout " << panels.size() << ",1 title \"" << title << "\"\n";
+      << "set multiplot layout " << panels.size() << ",1 title \"" << title << "\" noenhanced\n";
     for (const Panel& panel : panels) {
         s << "set title \"" << panel.title << "\"\nset xlabel \"" << panel.x_label << "\"\nset ylabel \"" << panel.y_label << "\"\n"
           << "set xrange " << (panel.x_range.empty() ? "[*:*]" : panel.x_range) << "\nplot ";
