@@ -56,7 +56,7 @@ bool answered(const Options& options, const std::string& program);
 
 /// Joins one scheme, one scene, one shape and one transfer into what the loop runs.
 template <class Scheme, class Scene, class Shape, class Transfer, class MakeShape>
-Assembled assemble(const Scheme& scheme, const Scene& scene, const Transfer& transfer, int cells, const Common& common, bool moving,
+Assembled assemble(const Scheme& scheme, const Scene& scene, const Transfer& transfer, int cells, const Common& common,
                    MakeShape&& make_shape) {
     constexpr int D = Scene::D;
     using Point = typename Scheme::template PointOf<D>;
@@ -73,7 +73,7 @@ Assembled assemble(const Scheme& scheme, const Scene& scene, const Transfer& tra
         State(const Scheme& a, const Scene& b, const Transfer& c) : scheme(a), scene(b), transfer(c), observer{scene} {}
     };
     auto s = std::make_shared<State>(scheme, scene, transfer);
-    const Lattice<D> lattice = scene.lattice(cells, Kernel::per_cell, moving);
+    const Lattice<D> lattice = scene.lattice(cells, Kernel::per_cell);
     auto points = scene.template particles<Point>(cells, common.ppc);
     Shape shape = make_shape(lattice, points);
     s->bodies.push_back(OneBody{points, Grid<D, Node>(lattice), scene.law(), std::move(shape)});

@@ -24,7 +24,7 @@ int bar_program(const std::string& program, const std::string& purpose, Scheme& 
                 const std::function<void(Options&)>& declare = {}) {
     return guarded(program, [&] {
         Options options(program, purpose);
-        Bar bar;
+        Bar<TotalLagrangian> bar;
         Common common;
         Flip flip;
         bar.declare(options);
@@ -33,7 +33,7 @@ int bar_program(const std::string& program, const std::string& purpose, Scheme& 
         if (declare) declare(options);
         options.parse(argc, argv);
         if (answered(options, program)) return 0;
-        const Description about{program, purpose, Bar::name, Bar::solves, {Bar::columns.begin(), Bar::columns.end()}, bar.period()};
+        const Description about{program, purpose, bar.name, bar.solves, {bar.columns.begin(), bar.columns.end()}, bar.period()};
         if (common.periods > 0) common.t_end = common.periods * bar.period();
         return run_program(about, options, common, [&](int cells) {
             Assembled a;
@@ -41,7 +41,7 @@ int bar_program(const std::string& program, const std::string& purpose, Scheme& 
                 using Kernel = decltype(kernel);
                 using Moving = Tensor<1, Kernel>;
                 using Shape = std::conditional_t<TotalLagrangian, Stored<Moving>, Moving>;
-                a = assemble<Scheme, Bar, Shape>(scheme, bar, flip, cells, common, !TotalLagrangian, [&](const auto& lattice, const auto& points) {
+                a = assemble<Scheme, Bar<TotalLagrangian>, Shape>(scheme, bar, flip, cells, common, [&](const auto& lattice, const auto& points) {
                     const Moving moving{lattice, sized<Kernel>(common.ppc)};
                     if constexpr (TotalLagrangian) return Shape(moving, points);
                     else return moving;

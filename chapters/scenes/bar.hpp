@@ -4,8 +4,11 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "chapters/material/hooke.hpp"
 #include "chapters/material/linear_elastic.hpp"
 #include "lab/boundary.hpp"
 #include "lab/norms.hpp"
@@ -16,12 +19,15 @@ namespace mpm {
 /// Mode n: v(x, 0) = v0 sin(beta x), beta = (2n - 1) pi/(2 L), omega = beta c (6.1)-(6.3). The velocity of the centre of mass is
 ///   v_cm(t) = cos(omega t) v0/L int_0^L sin(beta x) dx = v0/(beta L) [1 - cos(beta L)] cos(omega t) = v0/(beta L) cos(omega t),
 /// since beta L is an odd multiple of pi/2: the sign is the same for every mode.
-struct Bar {
+///
+/// The law is linear in the configuration that the scheme works on: the rate form B.5 for updated-Lagrangian schemes, Hooke's law between P and F for
+/// total-Lagrangian ones, so that each solves the linear wave equation to first order in the strain v0/c.
+template <bool TotalLagrangian> struct Bar {
     static constexpr int D = 1;
     static constexpr const char* name = "bar";
     static constexpr const char* solves = "axial vibration of a bar, fixed at x = 0, free at x = L";
     static constexpr std::array<const char*, 2> columns{"v_cm", "v_cm_exact"};
-    using Law = LinearElastic;
+    using Law = std::conditional_t<TotalLagrangian, Hooke, LinearElastic>;
 
     double E = 100, rho = 1, length = 25, v0 = 0.1, offset = 0;  // modulus, density, length, amplitude, shift in a cell
     int mode = 1;
@@ -46,10 +52,10 @@ struct Bar {
     double cell_size(int cells) const { return length / cells; }
 
     /// A grid from the wall to the free end and, for updated-Lagrangian schemes, as far beyond it as the tip swings (v0/omega).
-    Lattice<1> lattice(int cells, int per_cell, bool moving) const {
+    Lattice<1> lattice(int cells, int per_cell) const {
         Lattice<1> g;
         g.h[0] = cell_size(cells);
-        const int pad = moving ? 2 + static_cast<int>(std::ceil(1.5 * v0 / omega() / g.h[0])) : 0;
+        const int pad = TotalLagrangian ? 0 : 2 + static_cast<int>(std::ceil(1.5 * v0 / omega() / g.h[0]));
         g.cells = {cells + pad};
         g.per_cell = per_cell;
         return g;

@@ -1,0 +1,32 @@
+/// Hooke's law between the first Piola-Kirchhoff stress and the displacement gradient: linear elasticity on the initial configuration.
+#pragma once
+#include <cmath>
+
+#include "lab/math.hpp"
+
+namespace mpm {
+
+/// P = lambda tr(e) I + 2 mu e with e = sym(F - I), kept as sigma = P F^T/J. Small displacements; a total-Lagrangian bar with this law solves
+/// the linear wave equation, to which its exact solutions belong (the rate form gives E ln F there, whose even part moves the mean).
+struct Hooke {
+    static constexpr const char* name = "hooke";
+    double lambda = 0, mu = 0, rho = 1;  // Lame constants [stress], initial density [mass/volume]
+
+    double wave_speed() const { return std::sqrt((lambda + 2 * mu) / rho); }  // P-wave (2.71)
+
+    template <class Point, class Gradient> void update(Point& p, const Gradient&, double) const {
+        constexpr int D = Point::D;
+        const Mat<D> e = sym<D>(p.F - identity<D>());
+        const Mat<D> P = lambda * e.trace() * identity<D>() + 2 * mu * e;
+        p.sigma = P * p.F.transpose() / p.F.determinant();
+    }
+
+    /// Stored energy of a particle, V0 [lambda/2 tr(e)^2 + mu e:e].
+    template <class Point> double energy(const Point& p) const {
+        constexpr int D = Point::D;
+        const Mat<D> e = sym<D>(p.F - identity<D>());
+        return p.V0 * (0.5 * lambda * e.trace() * e.trace() + mu * contract<D>(e, e));
+    }
+};
+
+}  // namespace mpm

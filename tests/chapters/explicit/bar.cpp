@@ -1,0 +1,111 @@
+// The bar against NUMBERS: frequency and energy of review figures 58 and 59, measured independently; closed-form frequencies.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "chapters/scenes/bar.hpp"
+#include "tests/chapters/explicit/problem.hpp"
+
+namespace mpm::test {
+namespace {
+
+struct Outcome {
+    double frequency, energy, l2;
+};
+
+template <class Scheme, class Kernel = Hat> Outcome vibrate(int cells, int ppc, int mode, double alpha = 1, double t_end = 100, double cfl = 0.1) {
+    constexpr bool total = std::is_same_v<Scheme, Tlmpm>;
+    Bar<total> bar;
+    bar.mode = mode;
+    Problem<1, Scheme, typename Bar<total>::Law, Kernel> s;
+    s.transfer.alpha = alpha;
+    s.lattice = bar.lattice(cells, Kernel::per_cell);
+    s.add_points(bar.law(), bar.template particles<Point<1>>(cells, ppc), ppc);
+    s.held.held = {{0, 0, 0}};
+    typename Bar<total>::Observer observer{bar};
+    const int steps = static_cast<int>(std::ceil(t_end / (cfl * bar.cell_size(cells) / 10) - 1e-9));  // c = 10
+    const double dt = t_end / steps;
+    observer.sample(s.points(), 0, measure(s.bodies).total());
+    for (int k = 1; k <= steps; ++k) {
+        s.run(1, dt);
+        observer.sample(s.points(), k * dt, measure(s.bodies).total());
+    }
+    return {observer.wave.omega() / bar.omega() - 1, observer.wave.energy_kept(bar.period(), t_end), observer.wave.relative_l2()};
+}
+
+void expect(const Outcome& o, double frequency, double energy, double l2) {
+    EXPECT_NEAR(o.frequency, frequency, 0.02 * std::abs(frequency));
+    EXPECT_NEAR(o.energy, energy, std::max(1e-3, 0.02 * std::abs(1 - energy) * energy));
+    EXPECT_NEAR(o.l2, l2, 0.02 * l2);
+}
+
+TEST(Mode1, Usl) { expect(vibrate<Usl>(13, 1, 1), -2.46e-3, 0.9975, 0.0928); }
+TEST(Mode1, Musl) { expect(vibrate<Musl>(13, 1, 1), -2.46e-3, 1.0000, 0.0928); }
+TEST(Mode1, Usf) { expect(vibrate<Usf>(13, 1, 1), -2.41e-3, 1.0000, 0.0807); }
+TEST(Mode1, Tlmpm) { expect(vibrate<Tlmpm>(13, 1, 1), -2.44e-3, 1.0000, 0.0934); }
+TEST(Mode1, TwoParticlesPerCell) {
+    expect(vibrate<Usl>(16, 2, 1), -1.33e-3, 0.9990, 0.0510);
+    expect(vibrate<Musl>(16, 2, 1), -1.33e-3, 1.0000, 0.0510);
+    expect(vibrate<Usf>(16, 2, 1), -1.29e-3, 1.0000, 0.0412);
+    expect(vibrate<Tlmpm>(16, 2, 1), -1.31e-3, 1.0000, 0.0515);
+}
+TEST(Mode1, PicLosesAllItsEnergy) {
+    const Outcome o = vibrate<Usl>(13, 1, 1, 0);
+    EXPECT_LT(o.energy, 1e-3);
+    EXPECT_NEAR(o.l2, 0.918, 0.01);
+}
+TEST(Mode1, Ugimp) { expect(vibrate<Musl, Ugimp>(13, 1, 1), -2.82e-3, 1.0001, 0.1093); }
+TEST(Mode1, TotalLagrangianCubic) { expect(vibrate<Tlmpm, Cubic>(13, 1, 1), -4.71e-3, 1.0000, 0.176); }
+TEST(Mode1, TotalLagrangianBernstein) { expect(vibrate<Tlmpm, Bernstein>(13, 1, 1), -1.20e-3, 1.0000, 0.0484); }
+
+TEST(Mode10, Usl) {
+    const Outcome o = vibrate<Usl>(50, 1, 10);
+    EXPECT_NEAR(o.frequency, -5.82e-2, 0.02 * 5.82e-2);
+    EXPECT_NEAR(o.energy, 0.0026, 1e-3);
+}
+TEST(Mode10, Musl) {
+    const Outcome o = vibrate<Musl>(50, 1, 10);
+    EXPECT_NEAR(o.frequency, -5.84e-2, 0.02 * 5.84e-2);
+    EXPECT_NEAR(o.energy, 0.9987, 1e-3);
+}
+TEST(Mode10, Usf) {
+    const Outcome o = vibrate<Usf>(50, 1, 10);
+    EXPECT_NEAR(o.frequency, -5.87e-2, 0.02 * 5.87e-2);
+    EXPECT_NEAR(o.energy, 1.0014, 1e-3);
+}
+TEST(Mode10, Tlmpm) {
+    const Outcome o = vibrate<Tlmpm>(50, 1, 10);
+    EXPECT_NEAR(o.frequency, -5.82e-2, 0.02 * 5.82e-2);
+    EXPECT_NEAR(o.energy, 0.9998, 1e-3);
+}
+
+// TL-MUSL with one particle per cell: w_h = (c/h) sin(beta h), then the leapfrog w = 2/dt asin(w_h dt/2).
+TEST(ClosedForm, TotalLagrangianFrequencyOneParticlePerCell) {
+    for (const int mode : {1, 2, 3}) {
+        const Outcome o = vibrate<Tlmpm>(16, 1, mode, 1, 40);
+        const double h = 25.0 / 16, beta = (2 * mode - 1) * std::numbers::pi / 50, dt = 0.1 * h / 10;
+        const double w = 2 / dt * std::asin(10 / h * std::sin(beta * h) * dt / 2);
+        EXPECT_NEAR(o.frequency, w / (10 * beta) - 1, 5e-5);  // zeros by linear interpolation over a few periods
+    }
+}
+TEST(ClosedForm, TotalLagrangianFrequencyTwoParticlesPerCell) {
+    for (const int mode : {1, 2, 3}) {
+        const Outcome o = vibrate<Tlmpm>(16, 2, mode, 1, 40);
+        const double h = 25.0 / 16, beta = (2 * mode - 1) * std::numbers::pi / 50, dt = 0.1 * h / 10;
+        const double wh = 2 * 10 / h * std::sin(beta * h / 2) * std::sqrt(1 - 0.375 * (1 - std::cos(beta * h)));
+        EXPECT_NEAR(o.frequency, 2 / dt * std::asin(wh * dt / 2) / (10 * beta) - 1, 5e-5);
+    }
+}
+
+TEST(ExactSolution, CentreOfMassVelocityIsTheIntegralOfTheMode) {
+    for (const int mode : {1, 2, 3, 10}) {
+        Bar<false> bar;
+        bar.mode = mode;
+        const auto points = bar.particles<Point<1>>(20000, 1);
+        EXPECT_NEAR(bar.v_cm(points), bar.v_cm_exact(0), 1e-9);  // midpoint rule with 20,000 points
+    }
+}
+
+}  // namespace
+}  // namespace mpm::test
