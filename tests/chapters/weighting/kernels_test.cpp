@@ -203,7 +203,7 @@ TEST(Shapes, AreFoundByName) {
             EXPECT_EQ(name, kernel.name);
         }));
         EXPECT_EQ(calls, 1);
-        EXPECT_EQ(SmoothEnough::with(name, [](auto) {}), name != "bernstein");
+        EXPECT_EQ(UpdatedShapes::with(name, [](auto) {}), name != "bernstein");
     }
     EXPECT_FALSE(AllShapes::with("hats", [](auto) { FAIL(); }));
     EXPECT_FALSE(AllShapes::with("", [](auto) { FAIL(); }));
