@@ -24,7 +24,7 @@ struct Dirichlet {
 
     /// Holds a component on every node of a grid line (in 1D: a node) at place `along` on `axis`, and on all that lie beyond it at the grid's end.
     template <int D> void hold_plane(const Lattice<D>& lattice, int axis, double x, bool beyond_is_below, int component, double v = 0) {
-        const double eps = 1e-9 * lattice.h[axis];
+        const double eps = 1e-9 * lattice.h()[axis];
         for (int I = 0; I < lattice.size(); ++I) {
             const double xi = lattice.position(I)[axis];
             if (beyond_is_below ? xi <= x + eps : xi >= x - eps) held.push_back({I, component, v});

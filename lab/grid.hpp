@@ -1,5 +1,6 @@
 /// The background grid: `Lattice` knows where the nodes are, `Grid` keeps what one scheme stores on them.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -9,13 +10,27 @@
 namespace mpm {
 
 /// Where the nodes of a rectangular grid are. Small: shape functions hold a copy.
-template <int D> struct Lattice {
-    Vec<D> origin = Vec<D>::Zero();  // lower corner [length]
-    Vec<D> h = Vec<D>::Ones();       // cell size along each axis [length]
-    std::array<int, D> cells{};      // number of cells along each axis [-]
-    int per_cell = 1;                // nodes per cell and axis [-]: 1, or 2 for quadratic Bernstein functions
+template <int D> class Lattice {
+public:
+    /// `origin` is the lower corner [length], `h` the cell size along each axis [length], `cells` the number of cells along each axis,
+    /// `per_cell` the nodes per cell and axis: 1, or 2 for quadratic Bernstein functions.
+    Lattice(const Vec<D>& origin, const Vec<D>& h, const std::array<int, D>& cells, int per_cell = 1)
+        : origin_(origin), h_(h), per_h_(h.cwiseInverse()), cells_(cells), per_cell_(per_cell) {
+        for (int d = 0; d < D; ++d) {
+            upper_[d] = origin[d] + h[d] * this->cells(d);
+            nodes_[at(d)] = this->cells(d) * per_cell + 1;
+        }
+    }
+    Lattice() : Lattice(Vec<D>::Zero(), Vec<D>::Ones(), {}) {}
 
-    int nodes(int axis) const { return cells[static_cast<std::size_t>(axis)] * per_cell + 1; }
+    const Vec<D>& origin() const { return origin_; }
+    const Vec<D>& upper() const { return upper_; }  // upper corner
+    const Vec<D>& h() const { return h_; }
+    const Vec<D>& per_h() const { return per_h_; }  // 1/h
+    int per_cell() const { return per_cell_; }
+    const std::array<int, D>& cells() const { return cells_; }
+    int cells(int axis) const { return cells_[at(axis)]; }
+    int nodes(int axis) const { return nodes_[at(axis)]; }
 
     int size() const {
         int n = 1;
@@ -35,14 +50,21 @@ template <int D> struct Lattice {
 
     Vec<D> position(int I) const {
         Vec<D> x;
-        for (int d = 0; d < D; ++d) x[d] = origin[d] + h[d] / per_cell * along(I, d);
+        for (int d = 0; d < D; ++d) x[d] = origin_[d] + h_[d] / per_cell_ * along(I, d);
         return x;
     }
 
-    /// x along an axis in cells from the lower corner.
-    double in_cells(double x, int axis) const { return (x - origin[axis]) / h[axis]; }
+    /// Whether x lies between the lower and the upper end of an axis; not if it is no number.
+    bool holds(double x, int axis) const { return x >= origin_[axis] && x <= upper_[axis]; }
+    /// x along an axis in cells from the lower corner, at most `cells`: rounding takes nobody past the upper corner.
+    double in_cells(double x, int axis) const { return std::min((x - origin_[axis]) * per_h_[axis], static_cast<double>(cells(axis))); }
 
-    double upper(int axis) const { return origin[axis] + h[axis] * cells[static_cast<std::size_t>(axis)]; }
+private:
+    static std::size_t at(int axis) { return static_cast<std::size_t>(axis); }
+
+    Vec<D> origin_, upper_ = Vec<D>::Zero(), h_, per_h_;
+    std::array<int, D> cells_, nodes_{};
+    int per_cell_;
 };
 
 /// The nodes of one scheme on a lattice. `NodeType` has `void reset()`; one that has a member `x` is told its position.

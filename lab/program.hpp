@@ -79,14 +79,14 @@ Assembled assemble(const Scheme& scheme, const Scene& scene, const Transfer& tra
     s->bodies.push_back(OneBody{points, Grid<D, Node>(lattice), scene.law(), std::move(shape)});
 
     Assembled a;
-    a.critical_dt = critical_step<D>(lattice.h, scene.law().wave_speed(), scene.speed());
+    a.critical_dt = critical_step<D>(lattice.h(), scene.law().wave_speed(), scene.speed());
     a.row.scene = Scene::name;
     a.row.scheme = Scheme::name;
     a.row.shape = Kernel::name;
     a.row.transfer = Transfer::name;
     a.row.dim = D;
     a.row.cells = cells;
-    a.row.h = lattice.h[0];
+    a.row.h = lattice.h()[0];
     a.row.ppc = common.ppc;
     a.row.particles = static_cast<long>(points.size());
     a.row.bytes_per_particle = sizeof(Point);

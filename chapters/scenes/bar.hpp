@@ -53,12 +53,9 @@ template <bool TotalLagrangian> struct Bar {
 
     /// A grid from the wall to the free end and, for updated-Lagrangian schemes, as far beyond it as the tip swings (v0/omega).
     Lattice<1> lattice(int cells, int per_cell) const {
-        Lattice<1> g;
-        g.h[0] = cell_size(cells);
-        const int pad = TotalLagrangian ? 0 : 2 + static_cast<int>(std::ceil(1.5 * v0 / omega() / g.h[0]));
-        g.cells = {cells + pad};
-        g.per_cell = per_cell;
-        return g;
+        const double h = cell_size(cells);
+        const int pad = TotalLagrangian ? 0 : 2 + static_cast<int>(std::ceil(1.5 * v0 / omega() / h));
+        return {Vec<1>(0), Vec<1>(h), {cells + pad}, per_cell};
     }
 
     template <class Point> std::vector<Point> particles(int cells, int ppc) const {

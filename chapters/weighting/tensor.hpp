@@ -23,16 +23,16 @@ template <int D, class KernelType> struct Tensor {
     Lattice<D> lattice;
     Kernel kernel{};
 
-    template <class Point> Stencil<D, power(N, D)> at(const Vec<D>& x, const Point& p) const {
+    template <class Point> [[gnu::always_inline]] Stencil<D, power(N, D)> at(const Vec<D>& x, const Point& p) const {
         return tensor_stencil<D, N>(lattice, x, [&](int axis, double xi) {
-            const int cells = lattice.cells[static_cast<std::size_t>(axis)];
+            const int cells = lattice.cells(axis);
             if constexpr (requires { kernel.size(p, axis); })
                 return kernel(xi, cells, kernel.size(p, axis));
             else
                 return kernel(xi, cells);
         });
     }
-    template <class Point> Stencil<D, power(N, D)> operator()(const Point& p, std::size_t) const { return at(p.x, p); }
+    template <class Point> [[gnu::always_inline]] Stencil<D, power(N, D)> operator()(const Point& p, std::size_t) const { return at(p.x, p); }
 };
 
 /// Weights evaluated once, at the initial positions, and kept: the shape of every total-Lagrangian scheme (review 2.6).
@@ -47,7 +47,7 @@ public:
     template <class Point> const auto& operator()(const Point&, std::size_t i) const { return stencils_[i]; }
 
 private:
-    using StencilType = decltype(std::declval<const Shape&>().at(std::declval<decltype(Shape::lattice.origin)>(), 0));
+    using StencilType = decltype(std::declval<const Shape&>().at(std::declval<const Shape&>().lattice.origin(), 0));
     std::vector<StencilType> stencils_;
 };
 

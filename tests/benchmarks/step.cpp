@@ -37,7 +37,7 @@ namespace {
 using namespace mpm;
 
 constexpr int margin = 3;  // empty cells on each side of the body
-constexpr double dt = 0.2;  // cell size and wave speed are about 1
+constexpr double h = 0.7, dt = 0.2 * h;  // cell size; the wave speed is about 1
 constexpr double slow = 1e-5, fast = 0.02;  // initial velocity of what is timed, and of the check
 
 /// Each shape that is timed is one type here.
@@ -53,11 +53,9 @@ template <class Scheme, int D, class Law, class Kernel>
 using BodyOf = Body<D, Point<D>, typename Scheme::template NodeOf<D>, Law, ShapeOf<Scheme, D, Kernel>>;
 
 template <int D> Lattice<D> lattice_around(int cells, int per_cell) {
-    Lattice<D> lattice;
-    lattice.origin = Vec<D>::Constant(-margin);
-    lattice.cells.fill(cells + 2 * margin);
-    lattice.per_cell = per_cell;
-    return lattice;
+    std::array<int, D> all;
+    all.fill(cells + 2 * margin);
+    return {Vec<D>::Constant(-margin * h), Vec<D>::Constant(h), all, per_cell};
 }
 
 /// A free bar or square of `cells` cells along each axis, two particles per cell and axis, in cell order, in its first stretching mode.
@@ -69,11 +67,12 @@ template <class Scheme, int D, class Law, class Kernel> auto vibrating(int cells
     for (int cell = 0; cell < power(cells, D); ++cell)
         for (int k = 0; k < power(2, D); ++k) {
             Point<D> p;
-            p.x[0] = cell % cells + 0.25 + 0.5 * (k % 2);
-            if constexpr (D == 2) p.x[1] = cell / cells + 0.25 + 0.5 * (k / 2);
+            p.x[0] = h * (cell % cells + 0.25 + 0.5 * (k % 2));
+            if constexpr (D == 2) p.x[1] = h * (cell / cells + 0.25 + 0.5 * (k / 2));
             p.X = p.x;
-            p.m = p.V = p.V0 = 1.0 / power(2, D);
-            for (int d = 0; d < D; ++d) p.v[d] = -v0 * std::cos(M_PI * p.x[d] / cells) * (1 + (D - 1) * 0.3 * std::sin(5 * p.x[D - 1 - d] / cells));
+            p.m = p.V = p.V0 = std::pow(h / 2, D);
+            const Vec<D> s = p.x / (h * cells);
+            for (int d = 0; d < D; ++d) p.v[d] = -v0 * std::cos(M_PI * s[d]) * (1 + (D - 1) * 0.3 * std::sin(5 * s[D - 1 - d]));
             points.push_back(p);
         }
     Kernel kernel;
@@ -93,8 +92,8 @@ template <class Scheme, int D, class Law, class Kernel> auto vibrating(int cells
 by_hand::Square by_hand_copy(const auto& body) {
     by_hand::Square s;
     const auto& lattice = body.grid.lattice();
-    s.x0 = lattice.origin[0], s.y0 = lattice.origin[1], s.h = lattice.h[0];
-    s.cells_x = lattice.cells[0], s.cells_y = lattice.cells[1];
+    s.x0 = lattice.origin()[0], s.y0 = lattice.origin()[1], s.h = lattice.h()[0];
+    s.cells_x = lattice.cells(0), s.cells_y = lattice.cells(1);
     s.lambda = body.law.lambda, s.mu = body.law.mu;
     s.nodes.resize(static_cast<std::size_t>(body.grid.size()));
     s.p.resize(body.points.size());

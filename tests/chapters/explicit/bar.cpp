@@ -23,8 +23,8 @@ template <class Scheme, class Kernel = Hat> Outcome vibrate(int cells, int ppc, 
     s.transfer.alpha = alpha;
     s.lattice = bar.lattice(cells, Kernel::per_cell);
     if (ghost) {  // one more cell behind the wall, its outer node held too
-        s.lattice.origin[0] -= s.lattice.h[0];
-        s.lattice.cells[0] += 1;
+        const double h = s.lattice.h()[0];
+        s.lattice = Lattice<1>(Vec<1>(s.lattice.origin()[0] - h), Vec<1>(h), {s.lattice.cells(0) + 1}, Kernel::per_cell);
     }
     s.add_points(bar.law(), bar.template particles<Point<1>>(cells, ppc), ppc);
     s.held.held = {{0, 0, 0}};

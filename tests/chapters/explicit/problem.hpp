@@ -37,10 +37,9 @@ template <int D, class Scheme, class Law, class Kernel = Hat> struct Problem {
 
     /// A body of cells^D cells of size h with ppc^D particles each, its corner at `corner` cells of a grid of `grid_cells` cells.
     void add(const Law& law, int cells, int ppc, int corner, int grid_cells, double h, const Vec<D>& shift = Vec<D>::Zero()) {
-        lattice.h = Vec<D>::Constant(h);
-        lattice.origin = shift;
-        lattice.cells.fill(grid_cells);
-        lattice.per_cell = Kernel::per_cell;
+        std::array<int, D> all;
+        all.fill(grid_cells);
+        lattice = Lattice<D>(shift, Vec<D>::Constant(h), all, Kernel::per_cell);
         std::vector<Point<D>> points;
         const int n = cells * ppc;
         for (int j = 0; j < (D == 2 ? n : 1); ++j)

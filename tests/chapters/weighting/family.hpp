@@ -34,9 +34,8 @@ using Members = ::testing::Types<Member<Hat, 0>, Member<Ugimp, 1, 100>, Member<U
                                  Member<Cpgimp, 1, 25>, Member<Cpgimp, 1, 100>, Member<Cpgimp, 1, 130>, Member<Cpgimp, 1, 200>,
                                  Member<Quadratic, 1>, Member<Cubic, 2>, Member<Bernstein, 0>>;
 
-template <class M, int D> Tensor<D, typename M::Kernel> shape_on(Lattice<D> lattice) {
-    lattice.per_cell = M::Kernel::per_cell;
-    return {lattice, M::kernel()};
+template <class M, int D> Tensor<D, typename M::Kernel> shape_on(const Lattice<D>& lattice) {
+    return {Lattice<D>(lattice.origin(), lattice.h(), lattice.cells(), M::Kernel::per_cell), M::kernel()};
 }
 
 inline Lattice<1> line(double origin, double h, int cells) { return {Vec<1>(origin), Vec<1>(h), {cells}, 1}; }

@@ -7,9 +7,7 @@ namespace mpm::test {
 namespace {
 
 template <class Kernel> Tensor<1, Kernel> unit_shape(int cells, Kernel kernel = {}) {
-    auto lattice = line(0, 1, cells);
-    lattice.per_cell = Kernel::per_cell;
-    return {lattice, kernel};
+    return {Lattice<1>(Vec<1>(0), Vec<1>(1), {cells}, Kernel::per_cell), kernel};
 }
 
 void expect_same(const Dense& a, const Dense& b, double tolerance, double gradient_tolerance) {

@@ -10,11 +10,11 @@ template <class M> struct Weighting : ::testing::Test {
     template <class Check> static void everywhere(Check&& check) {
         for (const Lattice<1>& lattice : lines(Kernel::min_cells)) {
             const auto shape = shape_on<M, 1>(lattice);
-            for (const double xi : places(lattice.cells[0], M::l)) {
-                const double x = lattice.origin[0] + xi * lattice.h[0];
-                if (lattice.in_cells(x, 0) > lattice.cells[0]) continue;  // rounded to the outside
-                SCOPED_TRACE(std::to_string(xi) + " of " + std::to_string(lattice.cells[0]) + " cells of " +
-                             number(lattice.h[0]) + " from " + number(lattice.origin[0]));
+            for (const double xi : places(lattice.cells(0), M::l)) {
+                const double x = lattice.origin()[0] + xi * lattice.h()[0];
+                if (!lattice.holds(x, 0)) continue;  // rounded to the outside
+                SCOPED_TRACE(std::to_string(xi) + " of " + std::to_string(lattice.cells(0)) + " cells of " +
+                             number(lattice.h()[0]) + " from " + number(lattice.origin()[0]));
                 check(shape, xi, x);
                 if (::testing::Test::HasFailure()) return;
             }
@@ -40,7 +40,7 @@ TYPED_TEST(Weighting, GradientsSumToZero) {
     this->everywhere([](const auto& shape, double, double x) {
         double sum = 0;
         for (const double g : dense(shape, x).grad) sum += g;
-        EXPECT_NEAR(sum * shape.lattice.h[0], 0, 1e-15 * 8);
+        EXPECT_NEAR(sum * shape.lattice.h()[0], 0, 1e-15 * 8);
     });
 }
 
@@ -57,22 +57,22 @@ TYPED_TEST(Weighting, ReproducesLinearFunctions) {
         double sum = 0, slope = 0;
         for (int I = 0; I < lattice.size(); ++I) {
             sum += d.phi[static_cast<std::size_t>(I)] * lattice.position(I)[0];
-            slope += d.grad[static_cast<std::size_t>(I)] * lattice.h[0] / lattice.per_cell * I;  // from the lower corner
+            slope += d.grad[static_cast<std::size_t>(I)] * lattice.h()[0] / lattice.per_cell() * I;  // from the lower corner
         }
-        EXPECT_NEAR(sum, x, 2e-15 * (std::abs(lattice.origin[0]) + lattice.h[0] * lattice.cells[0]));
+        EXPECT_NEAR(sum, x, 2e-15 * (std::abs(lattice.origin()[0]) + lattice.h()[0] * lattice.cells(0)));
         EXPECT_NEAR(slope, 1, 2e-14);
     });
 }
 
 TYPED_TEST(Weighting, GradientIsTheCentralDifference) {
     this->everywhere([](const auto& shape, double xi, double) {
-        const double step = 1e-5, h = shape.lattice.h[0];
-        const int cells = shape.lattice.cells[0];
-        if (h < 1e-2 && std::abs(shape.lattice.origin[0]) > 1) return;  // places too coarse for a difference
-        if (std::abs(shape.lattice.origin[0]) > 1e6 * h) return;
+        const double step = 1e-5, h = shape.lattice.h()[0];
+        const int cells = shape.lattice.cells(0);
+        if (h < 1e-2 && std::abs(shape.lattice.origin()[0]) > 1) return;  // places too coarse for a difference
+        if (std::abs(shape.lattice.origin()[0]) > 1e6 * h) return;
         for (const double joint : joints(cells, TypeParam::l))
             if (std::abs(xi - joint) < 1.1 * step) return;
-        const double x = shape.lattice.origin[0] + xi * h;
+        const double x = shape.lattice.origin()[0] + xi * h;
         const Dense below = dense(shape, x - step * h), here = dense(shape, x), above = dense(shape, x + step * h);
         for (std::size_t I = 0; I < here.phi.size(); ++I)
             EXPECT_NEAR(here.grad[I] * h, (above.phi[I] - below.phi[I]) / (2 * step), 1e-9);
@@ -82,15 +82,15 @@ TYPED_TEST(Weighting, GradientIsTheCentralDifference) {
 TYPED_TEST(Weighting, IsKroneckerAtTheGridEnds) {
     for (const Lattice<1>& lattice : lines(TypeParam::Kernel::min_cells)) {
         const auto shape = shape_on<TypeParam, 1>(lattice);
-        const double rounding = lattice.cells[0] - lattice.in_cells(lattice.upper(0), 0);  // of the upper end, in cells
+        const double rounding = std::abs(lattice.cells(0) - lattice.in_cells(lattice.upper()[0], 0));  // of the upper end, in cells
         if (rounding < 0) continue;  // counts as outside
-        const Dense low = dense(shape, lattice.origin[0]), high = dense(shape, lattice.upper(0));
+        const Dense low = dense(shape, lattice.origin()[0]), high = dense(shape, lattice.upper()[0]);
         const std::size_t last = low.phi.size() - 1;
         for (std::size_t I = 0; I <= last; ++I) {
             EXPECT_EQ(low.phi[I], I == 0 ? 1 : 0);
             EXPECT_NEAR(high.phi[I], I == last ? 1 : 0, 2.01 * rounding);  // exact where the end is
         }
-        const double slope = shape.lattice.per_cell / lattice.h[0], near = 1e-14 + 2.01 * rounding;
+        const double slope = shape.lattice.per_cell() / lattice.h()[0], near = 1e-14 + 2.01 * rounding;
         EXPECT_NEAR(low.grad[0] / slope, -1, 1e-14);
         EXPECT_NEAR(low.grad[1] / slope, 1, 1e-14);
         EXPECT_NEAR(high.grad[last] / slope, 1, near);
@@ -132,14 +132,14 @@ TYPED_TEST(Weighting, HoldsInTwoDimensions) {
     for (const double scale : {1.0, 1e-9, 1e9}) {
         const Lattice<2> lattice{Vec<2>(-2 * scale, scale), Vec<2>(0.5 * scale, 2 * scale), {least + 2, least}, 1};
         const auto shape = shape_on<TypeParam, 2>(lattice);
-        const Vec<2> size(lattice.h[0] * lattice.cells[0], lattice.h[1] * lattice.cells[1]);
+        const Vec<2> size(lattice.h()[0] * lattice.cells(0), lattice.h()[1] * lattice.cells(1));
         Particle<2> p;
         p.F << 0.7, 0.3, -0.2, 0.9;
         for (int trial = 0; trial < 1000; ++trial) {
-            p.x = lattice.origin + size.cwiseProduct(Vec<2>(part(random), part(random)));
-            if (trial < 9) p.x = lattice.origin + size.cwiseProduct(Vec<2>(trial % 3 / 2.0, trial / 3 / 2.0) * (1 - 1e-14));  // at the upper end rounding may lie outside
+            p.x = lattice.origin() + size.cwiseProduct(Vec<2>(part(random), part(random)));
+            if (trial < 9) p.x = lattice.origin() + size.cwiseProduct(Vec<2>(trial % 3 / 2.0, trial / 3 / 2.0) * (1 - 1e-14));  // at the upper end rounding may lie outside
             bool outside = false;  // an upper end may round to a hair outside
-            for (int d = 0; d < 2; ++d) outside = outside || lattice.in_cells(p.x[d], d) > lattice.cells[static_cast<std::size_t>(d)];
+            for (int d = 0; d < 2; ++d) outside = outside || !lattice.holds(p.x[d], d);
             if (outside) continue;
             double sum = 0;
             Vec<2> gradients = Vec<2>::Zero(), x = Vec<2>::Zero();
@@ -163,16 +163,16 @@ TYPED_TEST(Weighting, HoldsInTwoDimensions) {
                 const double xi = lattice.in_cells(p.x[d], d), l = TypeParam::l * p.F(d, d);
                 bool near = false;
                 for (const double length : {l, TypeParam::l})
-                    for (const double joint : joints(lattice.cells[static_cast<std::size_t>(d)], length))
+                    for (const double joint : joints(lattice.cells(d), length))
                         near = near || std::abs(xi - joint) < 2 * step;
                 if (near) continue;
                 Particle<2> low = p, high = p;
-                low.x[d] -= step * lattice.h[d];
-                high.x[d] += step * lattice.h[d];
+                low.x[d] -= step * lattice.h()[d];
+                high.x[d] += step * lattice.h()[d];
                 std::vector<double> difference(static_cast<std::size_t>(shape.lattice.size()), 0.0);
                 for (const auto& e : shape(high, 0)) difference[static_cast<std::size_t>(e.node)] += e.phi;
                 for (const auto& e : shape(low, 0)) difference[static_cast<std::size_t>(e.node)] -= e.phi;
-                for (const auto& e : shape(p, 0)) difference[static_cast<std::size_t>(e.node)] -= 2 * step * lattice.h[d] * e.grad[d];
+                for (const auto& e : shape(p, 0)) difference[static_cast<std::size_t>(e.node)] -= 2 * step * lattice.h()[d] * e.grad[d];
                 for (const double rest : difference) EXPECT_NEAR(rest / step, 0, 1e-8);
             }
             if (::testing::Test::HasFailure()) return;
