@@ -1,4 +1,4 @@
-/// A body {points, grid, law, shape} and the two sweeps over its particles that every scheme is written with.
+/// A body {points, grid, law, shape, transfer} and the two sweeps over its particles that every scheme is written with.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -33,18 +33,21 @@ private:
     Node* nodes_;
 };
 
-/// One body. `Shape` is called with (particle, its number) and gives a stencil; `Law` is a constitutive model.
-template <int Dim, class PointType, class NodeType, class LawType, class ShapeType> struct Body {
+/// One body. `Shape` is called with (particle, its number) and gives a stencil; `Law` is a constitutive model; `Transfer` says how particles and
+/// nodes exchange velocities, and extends both by what it needs.
+template <int Dim, class PointType, class NodeType, class LawType, class ShapeType, class TransferType> struct Body {
     static constexpr int D = Dim;
     using Point = PointType;
     using Node = NodeType;
     using Law = LawType;
     using Shape = ShapeType;
+    using Transfer = TransferType;
 
     std::vector<Point> points;
     Grid<D, Node> grid;
     Law law;
     Shape shape;
+    Transfer transfer;
 };
 
 /// Visits every particle with its weights; the visitor may write to the nodes: `scatter(body, [](auto& p, const auto& weights)

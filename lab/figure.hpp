@@ -1,4 +1,5 @@
 /// gnuplot figures: a script beside its CSV, drawn offscreen on request. Data goes to CSV first; the script names the file.
+/// Texts may hold _x and ^x for indices and powers, and Greek letters in UTF-8; the picture for LaTeX gets them as formulas.
 #pragma once
 #include <string>
 #include <vector>
@@ -6,20 +7,43 @@
 namespace mpm {
 
 struct Curve {
-    std::string y, title, style = "lines";  // column by name
+    std::string y, title, style = "lines";  // column by name; without a style of its own it takes the figure's next colour and dash
 };
 struct Panel {
     std::string title, x, x_label, y_label;
     std::vector<Curve> curves;
-    std::string x_range;  // "[a:b]" or ""
+    std::string x_range;          // "[a:b]" or ""
+    std::string csv = {};         // where its columns are, if not in the figure's file
+    std::string surface_y = {};   // then the one curve is a height over the columns x and surface_y
+    int surface_rows = 0;         // of the square of points where the height is given
 };
 
-/// Writes folder/name.gp, panels one under the other from the CSV file `csv` beside it. `gnuplot name.gp` in that folder draws name.png; another
+/// Writes folder/name.gp, panels row by row from the CSV file `csv` beside it. `gnuplot name.gp` in that folder draws name.png; another
 /// kind by `gnuplot -e "kind='svg'" name.gp`. Throws FileTrouble.
 std::string write_figure(const std::string& folder, const std::string& name, const std::string& csv, const std::string& title,
-                         const std::vector<Panel>& panels);
+                         const std::vector<Panel>& panels, int columns = 1);
 
-/// Draws folder/name.gp as png, svg, pdf or tikz. Returns the picture's path, or "" when gnuplot is missing or fails (and says why in `why`).
+/// What an animation shows of each snapshot's particles, by column name: y against x or, with a third column, points in its colours.
+struct Animated {
+    std::string x = "x", y = "v", colour = {};
+    std::string x_label = "x [length]", y_label = "v [length/time]", colour_label = {};
+};
+struct Frame {
+    long number;
+    double t;  // [time]
+    std::string file() const;  // particles_NNNN.csv
+};
+
+/// Writes folder/frames.csv (t and file of each snapshot) and folder/name.gp, which draws name.gif from them with axes that stay.
+/// Returns the paths of both. Throws FileTrouble.
+std::vector<std::string> write_animation(const std::string& folder, const std::string& name, const std::string& title,
+                                         const Animated& animated, const std::vector<Frame>& frames);
+
+/// Draws folder/name.gp as png, svg, pdf or tikz, or an animation as gif. Returns the picture's path, or "" when gnuplot is missing or
+/// fails (and says why in `why`).
 std::string draw_figure(const std::string& folder, const std::string& name, const std::string& kind, std::string& why);
+
+/// draw_figure for programs: adds the picture to `files`, or says on stderr why there is none. Kind "none" does nothing.
+void add_picture(const std::string& folder, const std::string& name, const std::string& kind, std::vector<std::string>& files);
 
 }  // namespace mpm

@@ -5,8 +5,6 @@
 #include <limits>
 #include <system_error>
 
-#include "lab/figure.hpp"
-
 #ifndef MPM_LAB_VERSION
 #define MPM_LAB_VERSION "0.1"
 #endif
@@ -17,12 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-void make_folder(const std::string& path) {
-    std::error_code error;
-    fs::create_directories(path, error);
-    if (error || !fs::is_directory(path)) throw FileTrouble("cannot make the folder " + path + ": " + error.message());
-}
-
 RunPlan plan_of(const Common& c, const Assembled& a, const std::string& folder, const std::vector<std::string>& columns) {
     RunPlan plan;
     const double wanted = c.dt > 0 ? c.dt : c.cfl * a.critical_dt;
@@ -30,6 +22,10 @@ RunPlan plan_of(const Common& c, const Assembled& a, const std::string& folder, 
     if (!(steps < 1e10)) throw BadInput("the time step " + number_text(wanted) + " needs more than 1e10 steps to reach " + number_text(c.t_end));
     plan.steps = std::max(1L, static_cast<long>(steps));
     plan.dt = c.t_end / static_cast<double>(plan.steps);  // whole steps: the last one ends at t_end
+    plan.t_end = c.t_end;
+    plan.dim = a.row.dim;
+    plan.cfl = c.dt_from == "step" ? c.cfl : 0;
+    plan.progress = !c.quiet;
     plan.records = c.records;
     plan.frames = c.frames;
     plan.stop_on_trouble = c.watch == "stop";
@@ -45,26 +41,46 @@ void figure(const Description& about, const Common& c, const std::string& folder
     std::vector<Panel> panels;
     std::vector<Curve> own;
     for (const std::string& name : about.columns)
-        own.push_back({name, name.ends_with("_exact") ? "exact" : "computed", name.ends_with("_exact") ? "lines dt 2 lc rgb 'black'" : "lines lc rgb '#c03030'"});
-    panels.push_back({"", "t", "time t [time]", "velocity of the centre of mass [length/time]", own, first});
+        own.push_back({name, name.ends_with("_exact") ? "exact" : "computed", name.ends_with("_exact") ? "lines dt 2 lc rgb 'black'" : "lines dt solid lc rgb '#c03030'"});
+    panels.push_back({"", "t", "time t [time]", "v_{cm} [length/time]", own, first});
     panels.push_back({"", "t", "time t [time]", "energy [force length]",
-                      {{"kinetic", "kinetic", "lines lc rgb '#3060c0'"}, {"strain", "strain", "lines lc rgb '#40a040'"}, {"total", "total", "lines lc rgb 'black'"}}, first});
+                      {{"kinetic", "kinetic", "lines dt (8,3) lc rgb '#3060c0'"}, {"strain", "strain", "lines dt (2,3) lc rgb '#40a040'"}, {"total", "total", "lines dt solid lc rgb 'black'"}}, first});
     files.push_back(write_figure(folder, about.program, "history.csv", about.program + ": " + about.solves, panels));
-    if (c.plot == "none") return;
-    std::string why;
-    const std::string picture = draw_figure(folder, about.program, c.plot, why);
-    if (picture.empty())
-        std::printf("no picture: %s\n", why.c_str());
-    else
-        files.push_back(picture);
+    if (c.plot != "gif") add_picture(folder, about.program, c.plot, files);
+}
+
+/// The snapshots of a run and how to animate them; a frame that a stopped run did not reach is not there.
+void animation(const Description& about, const Common& c, const Assembled& a, const RunPlan& plan, const RunResult& r, std::vector<std::string>& files) {
+    if (plan.frames == 0) return;
+    std::vector<Frame> frames{{0, 0}};
+    for (long i = 1; i <= plan.frames; ++i) {
+        Frame frame{i, static_cast<double>(i) * plan.t_end / plan.frames};  // to within a step
+        if (plan.cfl == 0) {
+            const long k = (i * plan.steps + plan.frames - 1) / plan.frames;  // the first step that is at or past the i-th part of the run
+            frame = {k * plan.frames / plan.steps, static_cast<double>(k) * plan.dt};
+        }
+        const bool reached = !r.stopped || frame.t <= r.t;
+        if (reached && frame.number > frames.back().number && fs::exists(plan.folder + "/" + frame.file())) frames.push_back(frame);
+    }
+    const std::string name = about.program + "_animation";
+    for (const std::string& path : write_animation(plan.folder, name, about.program + ": " + about.solves, a.animated, frames)) files.push_back(path);
+    if (c.plot == "gif") add_picture(plan.folder, name, c.plot, files);
+}
+
+/// Events that are legal but should be rare are counted and said.
+void rare_events(const NodeWatch& nodes) {
+    if (nodes.tiny_nodes > 0)
+        std::printf("  %-36s %12.3e of a particle's; below %.0e at %ld node steps\n", "smallest nodal mass", nodes.smallest, NodeWatch::tiny, nodes.tiny_nodes);
+    if (nodes.cut_nodes > 0) std::printf("  %-36s %12ld node steps, their momentum is lost\n", "left out by the mass cut-off", nodes.cut_nodes);
 }
 
 void report(const Assembled& a, const RunResult& r, const RunPlan& plan, double t_end) {
     std::printf("%s, %s, %s: %d cells, h = %.4g, %ld particles, dt = %.4g (%.3g of h/(c + |v|)), %ld steps\n", a.row.scheme.c_str(),
                 a.row.shape.c_str(), a.row.transfer.c_str(), a.row.cells, a.row.h, a.row.particles, plan.dt, plan.dt / plan.critical_dt, r.steps);
-    if (r.ok())
+    if (!r.stopped)
         for (const auto& [name, value] : a.facts(t_end)) std::printf("  %-36s %12.5g\n", name.c_str(), value);
-    std::printf("  %-36s %12.3e\n  %-36s %12.3e\n", "energy drift / energy in play", r.energy_drift, "change of momentum", r.momentum_drift);
+    std::printf("  %-36s %12.3e\n  %-36s %12.3e\n", "energy drift / energy in play", r.energy_drift, "momentum unaccounted for / sum m|v|", r.momentum_drift);
+    rare_events(a.nodes());
     std::printf("  %-36s %9.3f s wall, %.3f s CPU, %.1f ns per particle step\n", "run time of the method", r.wall, r.cpu,
                 1e9 * r.wall / static_cast<double>(std::max(1L, r.steps)) / static_cast<double>(a.row.particles));
     std::printf("  %-36s %ld B per particle, %ld B per node, peak %ld kB\n", "memory", a.row.bytes_per_particle, a.row.bytes_per_node, peak_memory_kb());
@@ -82,19 +98,33 @@ void Common::declare(Options& o, const std::vector<std::string>& shapes, double 
     o.number("cfl", cfl, "-", above(0), "time step as a fraction of h/(c + |v|)");
     o.number("dt", dt, "time", at_least(0), "time step; 0: from --cfl");
     o.contradict("dt", "cfl");
+    o.choice("dt-from", dt_from, {"start", "step"}, "whole equal steps, or h/(c + |v|) afresh every step (review 2.7)");
+    o.contradict("dt", "dt-from");
     o.number("t-end", t_end, "time", above(0), "end of the run");
     o.number("periods", periods, "-", at_least(0), "end of the run in periods; 0: from --t-end");
     o.contradict("periods", "t-end");
     o.text("out", out, "folder of the run; empty: out/<program>/<label>");
     o.text("label", label, "name of the run; empty: made of the options that differ");
     o.integer("records", records, "rows", between(1, 100000000), "rows of history.csv");
-    o.integer("frames", frames, "-", between(0, 100000), "snapshots of particles and nodes");
-    o.choice("plot", plot, {"none", "png", "svg", "pdf", "tikz"}, "picture to draw");
+    o.integer("frames", frames, "-", between(0, 100000), "snapshots of particles and nodes; with --plot gif 0 stands for 50");
+    o.choice("plot", plot, {"none", "png", "svg", "pdf", "tikz", "gif"}, "picture to draw; gif: an animation of the snapshots");
     o.integer("repeat", repeat, "-", between(1, 1000), "runs of each resolution; the fastest is reported");
     o.choice("watch", watch, {"stop", "warn"}, "stop when unstable, or go on and say so at the end");
     o.flag("quiet", quiet, "say nothing but errors");
     o.flag("dry-run", dry_run, "print what would run, run nothing");
     for (const char* name : {"out", "label", "plot", "quiet", "dry-run", "records", "frames", "repeat"}) o.unlabelled(name);
+}
+
+std::string run_folder(const std::string& program, const Options& options, const std::string& out, const std::string& label) {
+    const std::string name = label.empty() ? options.label() : label;
+    if (name.find('/') != std::string::npos) throw BadInput("--label " + name + ": a name without '/' is allowed");
+    return out.empty() ? "out/" + program + "/" + name : out;
+}
+
+void make_folder(const std::string& path) {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error || !fs::is_directory(path)) throw FileTrouble("cannot make the folder " + path + ": " + error.message());
 }
 
 bool answered(const Options& options, const std::string& program) {
@@ -121,9 +151,8 @@ int run_program(const Description& about, const Options& options, const Common& 
     catch_interrupts();
     Common c = common;
     if (c.periods > 0) c.t_end = c.periods * about.period;
-    const std::string label = c.label.empty() ? options.label() : c.label;
-    if (label.find('/') != std::string::npos) throw BadInput("--label " + label + ": a name without '/' is allowed");
-    const std::string folder = c.out.empty() ? "out/" + about.program + "/" + label : c.out;
+    if (c.plot == "gif" && c.frames == 0) c.frames = 50;
+    const std::string folder = run_folder(about.program, options, c.out, c.label);
     if (!c.quiet) std::printf("%s: %s\n", about.program.c_str(), about.solves.c_str());
     if (c.dry_run) {
         for (const int cells : c.cells) {
@@ -171,11 +200,10 @@ int run_program(const Description& about, const Options& options, const Common& 
         row.verdict = best.trouble ? "unstable:" + best.trouble.cause : best.interrupted ? "interrupted" : "ok";
         row.t_fail = best.trouble ? best.t_fail : nan;
         row.reason = best.trouble.reason;
-        row.reference = "exact";
         std::size_t first = rows.size();
         for (const NamedError& e : a.errors(c.t_end)) {
             row.error_name = e.name;
-            row.error = best.ok() ? e.value : nan;
+            row.error = best.stopped ? nan : e.value;
             rows.push_back(row);
         }
         fill_orders(rows);
@@ -183,6 +211,7 @@ int run_program(const Description& about, const Options& options, const Common& 
         for (; first < rows.size(); ++first) summary.row(summary_fields(rows[first]));
         files.insert(files.end(), best.files.begin(), best.files.end());
         figure(about, c, here, files);
+        animation(about, c, a, plan, best, files);
         if (!c.quiet) report(a, best, plan, c.t_end);
         if (best.interrupted) return 130;
     }

@@ -28,7 +28,10 @@ int put(std::FILE* file, const std::string& text) {
 
 std::string joined(const std::vector<std::string>& fields) {
     std::string line;
-    for (std::size_t i = 0; i < fields.size(); ++i) line += (i > 0 ? "," : "") + csv_field(fields[i]);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (i > 0) line += ',';
+        line += csv_field(fields[i]);
+    }
     return line + '\n';
 }
 
@@ -82,7 +85,10 @@ CsvFile::~CsvFile() { std::fclose(file_); }  // every row is flushed already
 void CsvFile::row(const double* values, std::size_t n) {
     if (n != columns_) throw std::logic_error("a row of " + path_ + " has the wrong number of values");
     std::string line;
-    for (std::size_t i = 0; i < n; ++i) line += (i > 0 ? "," : "") + number_text(values[i]);
+    for (std::size_t i = 0; i < n; ++i) {
+        if (i > 0) line += ',';
+        line += number_text(values[i]);
+    }
     write(line + '\n');
 }
 
@@ -95,20 +101,26 @@ void CsvFile::write(const std::string& line) {
     if (const int error = put(file_, line); error != 0) trouble("write", path_, error);
 }
 
-void write_file(const std::string& path, const std::string& text) {
+void replace_file(const std::string& path, const std::function<int(const std::string& part)>& write) {
     std::error_code ignored;
     const auto status = std::filesystem::status(path, ignored);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
         throw FileTrouble("cannot write '" + one_line(path, 300) + "': not a regular file");
     const std::string part = path + ".part" + std::to_string(getpid());
-    std::FILE* file = std::fopen(part.c_str(), "wb");
-    if (file == nullptr) trouble("write", path, errno);
-    int error = put(file, text);
-    if (std::fclose(file) != 0 && error == 0) error = errno;
+    int error = write(part);
     if (error == 0 && std::rename(part.c_str(), path.c_str()) != 0) error = errno;
     if (error == 0) return;
     std::remove(part.c_str());
     trouble("write", path, error);
+}
+
+void write_file(const std::string& path, const std::string& text) {
+    replace_file(path, [&](const std::string& part) {
+        std::FILE* file = std::fopen(part.c_str(), "wb");
+        if (file == nullptr) return errno;
+        const int error = put(file, text);
+        return std::fclose(file) != 0 && error == 0 ? errno : error;
+    });
 }
 
 }  // namespace mpm

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,7 +51,11 @@ private:
     CsvFile file_;
 };
 
-/// Writes a whole small text file by a temporary name and a rename, so that a reader never sees half of it. Throws FileTrouble.
+/// Replaces a file as a whole: `write` fills a temporary name beside it, which is then renamed, so that a reader never sees half of it. `write`
+/// returns 0 or an error number. Throws FileTrouble.
+void replace_file(const std::string& path, const std::function<int(const std::string& part)>& write);
+
+/// Writes a whole small text file by replace_file. Throws FileTrouble.
 void write_file(const std::string& path, const std::string& text);
 
 }  // namespace mpm

@@ -1,12 +1,11 @@
 #include "lab/run.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 
+#include "lab/progress.hpp"
 #include "lab/record.hpp"
 
 namespace mpm {
@@ -15,28 +14,189 @@ namespace {
 volatile std::sig_atomic_t stop_requested = 0;
 void on_signal(int) { stop_requested = 1; }
 
-/// A likely cause that the numbers support, added to what was seen.
-std::string likely_cause(const RunPlan& plan) {
-    const double ratio = plan.dt / plan.critical_dt;
-    char text[160];
-    if (ratio > 1)
-        std::snprintf(text, sizeof text, "; likely cause: the time step is %.3g times h/(c + |v|)", ratio);
-    else
-        std::snprintf(text, sizeof text, "; the time step is %.3g of h/(c + |v|), so look at the scheme", ratio);
-    return text;
+/// Steps below this part of the first one go nowhere.
+constexpr double step_floor = 1e-6;
+
+std::vector<std::string> history_columns(const RunPlan& plan) {
+    std::vector<std::string> names{"t", "kinetic", "strain", "total"};
+    if (plan.dim == 1) names.emplace_back("momentum");
+    else names.insert(names.end(), {"momentum_x", "momentum_y"});
+    names.insert(names.end(), plan.columns.begin(), plan.columns.end());
+    return names;
 }
 
-std::string frame_name(const std::string& folder, const char* what, long number) {
-    char name[40];
-    std::snprintf(name, sizeof name, "/%s_%04ld.csv", what, number);
-    return folder + name;
-}
+/// A run in progress: its state between steps.
+class Runner {
+public:
+    Runner(Simulation& sim, const RunPlan& plan)
+        : sim_(sim), plan_(plan), records_(std::clamp<long>(plan.records, 1, plan.steps)), history_(plan.folder + "/history.csv", history_columns(plan)) {
+        result_.files.push_back(history_.path());
+    }
 
-void show_progress(double fraction) {
-    std::fprintf(stdout, "\r[%-40.*s] %3.0f %%", static_cast<int>(40 * fraction),
-                 "########################################", 100 * fraction);
-    std::fflush(stdout);
-}
+    RunResult go() {
+        Progress progress(plan_.progress);
+        start();
+        while (!finished() && !stopped_by_) {
+            step();
+            if (stopped_by_) break;
+            records();
+            progress.at(t_ / plan_.t_end);
+            if (stop_requested != 0) {
+                result_.interrupted = true;
+                break;
+            }
+        }
+        return finish();
+    }
+
+private:
+    bool finished() const { return plan_.cfl > 0 ? t_ >= plan_.t_end : result_.steps >= plan_.steps; }
+
+    /// Goes to the next time: whole steps of dt, or what the wave and particle speeds allow now.
+    void advance() {
+        if (plan_.cfl > 0) {
+            const double dt = std::min(plan_.cfl * sim_.critical_dt(), plan_.t_end - t_);
+            next_ = dt < plan_.t_end - t_ ? t_ + dt : plan_.t_end;
+            if (dt < step_floor * plan_.dt && next_ < plan_.t_end)
+                stopped_by_ = {"time-step-floor", "the step fell to " + number_text(dt) + ", below 1e-6 of the first"};
+            dt_ = dt;
+        } else {
+            next_ = static_cast<double>(result_.steps + 1) * plan_.dt;
+            dt_ = plan_.dt;
+        }
+    }
+
+    void start() {
+        now_ = first_ = sim_.measure();
+        record();
+        sim_.sample(0, sim_.wants_energy(0) ? now_.total() : std::nan(""));
+        if (plan_.frames > 0) snapshot(0);
+    }
+
+    void step() {
+        advance();
+        if (stopped_by_) return;
+        watch_.start();
+        try {
+            sim_.step(t_, dt_);
+            watch_.stop();
+            note(sim_.check());
+        } catch (const OutsideGrid& outside) {
+            watch_.stop();
+            stopped_by_ = {"left-grid", outside.what()};
+        }
+        if (sim_.supply && !stopped_by_) {
+            const Supply s = sim_.supply(t_, dt_);
+            for (const std::size_t d : {0, 1}) supplied_.impulse[d] += s.impulse[d];
+            supplied_.work += s.work;
+        }
+        ++result_.steps;
+        t_ = next_;
+    }
+
+    /// Number of the part out of `parts` that the run is in after this step.
+    long part(long parts, long step, double t) const {
+        if (plan_.cfl > 0) return static_cast<long>(static_cast<double>(parts) * t / plan_.t_end);
+        return step * parts / plan_.steps;
+    }
+
+    void records() {
+        sim_.sample(t_, sim_.wants_energy(t_) ? sim_.measure().total() : std::nan(""));
+        const long step = result_.steps;
+        if (part(records_, step, t_) != part(records_, step - 1, t_ - dt_)) {
+            now_ = sim_.measure();
+            so_far_ = supplied_;
+            record();
+            const Trouble growth = energy_.check(now_, so_far_.work), gap = sim_.inspect();
+            if (!growth && !gap) sim_.keep();
+            note(growth);
+            note(gap);
+        }
+        const long frame = plan_.frames > 0 ? part(plan_.frames, step, t_) : 0;
+        if (frame != (plan_.frames > 0 ? part(plan_.frames, step - 1, t_ - dt_) : 0)) snapshot(frame);
+    }
+
+    void record() {
+        if (result_.steps == 0) energy_.check(now_, 0);
+        std::vector<double> row{t_, now_.kinetic, now_.strain, now_.total(), now_.momentum[0]};
+        if (plan_.dim == 2) row.push_back(now_.momentum[1]);
+        const std::vector<double> own = sim_.watch(t_);
+        row.insert(row.end(), own.begin(), own.end());
+        history_.row(row.data(), row.size());
+        momentum_in_play_ = std::max(momentum_in_play_, now_.momentum_in_play);
+    }
+
+    void snapshot(long number) {
+        char name[40];
+        for (const char* what : {"particles", "nodes"}) {
+            std::snprintf(name, sizeof name, "/%s_%04ld.csv", what, number);
+            (what[0] == 'p' ? sim_.write_particles : sim_.write_nodes)(plan_.folder + name);
+        }
+    }
+
+    /// Trouble stops the run, or is kept for its end with `--watch warn` while numbers are still numbers.
+    void note(const Trouble& trouble) {
+        if (!trouble || stopped_by_) return;
+        if (!result_.trouble) {
+            result_.trouble = trouble;
+            result_.trouble.reason += "; " + sim_.where();
+            result_.t_fail = next_;
+        }
+        if (plan_.stop_on_trouble || trouble.cause == "not-finite") stopped_by_ = trouble;
+    }
+
+    /// What the numbers say about the cause: an energy that had begun to grow, a step beyond the critical one.
+    void explain() {
+        Trouble& trouble = result_.trouble;
+        if (!trouble) trouble = stopped_by_, result_.t_fail = next_;
+        if (trouble.cause != "energy-growth" && energy_.growth() > 0.5 * EnergyWatch::limit) {
+            trouble.reason += "; the energy had grown by " + percent(energy_.growth()) + " of that in play";
+            trouble.cause = "energy-growth";
+        }
+        const double ratio = plan_.cfl > 0 ? plan_.cfl : plan_.dt / plan_.critical_dt;
+        char text[120];
+        std::snprintf(text, sizeof text,
+                      ratio > 1 ? "; likely cause: the time step is %.3g times h/(c + |v|)" : "; the time step is %.3g of h/(c + |v|), so look at the scheme",
+                      ratio);
+        if (trouble.cause != "numerical-fracture") trouble.reason += text;
+    }
+    static std::string percent(double part) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.3g %%", 100 * part);
+        return text;
+    }
+
+    RunResult finish() {
+        if (result_.trouble || stopped_by_) explain();
+        result_.stopped = stopped_by_ || result_.interrupted;
+        if (stopped_by_) sim_.restore();
+        if (result_.stopped) {
+            const std::string path = plan_.folder + "/particles_last_good.csv";
+            sim_.write_particles(path);
+            result_.files.push_back(path);
+        }
+        result_.t = t_;
+        result_.wall = watch_.wall;
+        result_.cpu = watch_.cpu;
+        result_.energy_drift = energy_.in_play() > 0 ? (now_.balance() - so_far_.work - first_.balance()) / energy_.in_play() : 0;
+        const auto lost = [&](std::size_t d) { return now_.momentum[d] - first_.momentum[d] - so_far_.impulse[d]; };
+        result_.momentum_drift = momentum_in_play_ > 0 ? std::hypot(lost(0), lost(1)) / momentum_in_play_ : 0;
+        return result_;
+    }
+
+    Simulation& sim_;
+    const RunPlan& plan_;
+    const long records_;
+    CsvFile history_;
+    RunResult result_;
+    Trouble stopped_by_;
+    EnergyWatch energy_;
+    Stopwatch watch_;
+    Measures first_, now_;
+    Supply supplied_, so_far_;  // now, and at the last record
+    double momentum_in_play_ = 0;
+    double t_ = 0, next_ = 0, dt_ = 0;
+};
 
 }  // namespace
 
@@ -46,91 +206,6 @@ void catch_interrupts() {
 }
 bool interrupted() { return stop_requested != 0; }
 
-RunResult run(Simulation& sim, const RunPlan& plan) {
-    RunResult result;
-    std::vector<std::string> columns{"t", "kinetic", "strain", "total", "momentum"};
-    columns.insert(columns.end(), plan.columns.begin(), plan.columns.end());
-    CsvFile history(plan.folder + "/history.csv", columns);
-    result.files.push_back(history.path());
-    EnergyWatch energy_watch;
-    Stopwatch watch;
-    Measures start{}, now{};
-    double in_play = 0;
-    Trouble trouble;
-    const long records = std::clamp<long>(plan.records, 1, plan.steps);
-
-    const auto record = [&](double t) {
-        now = sim.measure();
-        in_play = std::max(in_play, now.total());
-        std::vector<double> row{t, now.kinetic, now.strain, now.total(), now.momentum};
-        const std::vector<double> own = sim.watch(t);
-        row.insert(row.end(), own.begin(), own.end());
-        history.row(row.data(), row.size());
-        return energy_watch.check(now.total());
-    };
-    const auto snapshot = [&](long number) {
-        sim.write_particles(frame_name(plan.folder, "particles", number));
-        sim.write_nodes(frame_name(plan.folder, "nodes", number));
-    };
-
-    trouble = record(0);
-    start = now;
-    sim.sample(0, sim.wants_energy(0) ? now.total() : std::nan(""));
-    if (plan.frames > 0) snapshot(0);
-    long k = 0;
-    double t = 0;
-    while (k < plan.steps && !trouble) {
-        try {
-            watch.start();
-            sim.step(t, plan.dt);
-            watch.stop();
-            trouble = sim.check();
-        } catch (const OutsideGrid& outside) {
-            watch.stop();
-            trouble = {"left-grid", outside.what()};
-        }
-        ++k;
-        t = static_cast<double>(k) * plan.dt;
-        if (trouble) break;
-        sim.sample(t, sim.wants_energy(t) ? sim.measure().total() : std::nan(""));
-        if (k * records / plan.steps != (k - 1) * records / plan.steps) {
-            Trouble growth = record(t);
-            if (!growth) sim.keep();
-            if (growth && (plan.stop_on_trouble || !std::isfinite(now.total()))) trouble = growth;
-            else if (growth && !result.trouble) result.trouble = growth, result.t_fail = t;
-            if (plan.progress) show_progress(static_cast<double>(k) / static_cast<double>(plan.steps));
-        }
-        if (plan.frames > 0 && k * plan.frames / plan.steps != (k - 1) * plan.frames / plan.steps)
-            snapshot(k * plan.frames / plan.steps);
-        if (stop_requested) {
-            result.interrupted = true;
-            break;
-        }
-    }
-    if (plan.progress) std::fprintf(stdout, "\r%50s\r", "");
-    if (trouble) {
-        if (trouble.cause != "energy-growth") {  // the last state that was recorded says how the energy stood
-            const Trouble growth = energy_watch.growth() > 0.5 * EnergyWatch::limit ? Trouble{"energy-growth", ""} : Trouble{};
-            if (growth) trouble.cause = growth.cause;
-        }
-        trouble.reason += likely_cause(plan);
-        result.trouble = trouble;
-        result.t_fail = t;
-        sim.restore();
-    }
-    if (trouble || result.interrupted) {
-        const std::string path = plan.folder + "/particles_last_good.csv";
-        sim.write_particles(path);
-        result.files.push_back(path);
-    }
-    result.t = t;
-    result.steps = k;
-    result.wall = watch.wall;
-    result.cpu = watch.cpu;
-    result.energy_drift = (now.total() - start.total()) / in_play;
-    result.momentum_drift = now.momentum - start.momentum;
-    result.energy_growth = energy_watch.growth();
-    return result;
-}
+RunResult run(Simulation& simulation, const RunPlan& plan) { return Runner(simulation, plan).go(); }
 
 }  // namespace mpm

@@ -14,6 +14,10 @@ struct Simulation {
     std::function<void(double t, double dt)> step;               // the method, all that is timed
     std::function<Measures()> measure;                           // energies and momentum now
     std::function<Trouble()> check;                              // every step: is any particle beyond repair?
+    std::function<Trouble()> inspect;                            // every record: numerical fracture and the like
+    std::function<std::string()> where;                          // which particle is the fastest
+    std::function<Supply(double t, double dt)> supply;           // every step: what came in from outside; empty if nothing can
+    std::function<double()> critical_dt;                         // h/(c + |v|) now
     std::function<void(double t, double energy)> sample;         // every step: the scene's observer
     std::function<bool(double t)> wants_energy;                  // whether `sample` wants the energy at t
     std::function<std::vector<double>(double t)> watch;          // the scene's own history columns
@@ -24,28 +28,32 @@ struct Simulation {
 };
 
 struct RunPlan {
-    double dt = 0;
-    long steps = 0;
+    double dt = 0, t_end = 0;
+    double cfl = 0;                              // > 0: dt = cfl h/(c + |v|) afresh every step (review 2.7)
+    long steps = 0;                              // whole steps of dt to t_end; an estimate with `cfl`
     int records = 1000, frames = 0;
     bool stop_on_trouble = true;
     std::string folder;                          // where history and snapshots go
     std::vector<std::string> columns;            // names of `watch`
-    double critical_dt = 0;                      // h/(c + |v|), to name a likely cause
+    int dim = 1;
+    double critical_dt = 0;                      // h/(c + |v|) at the start, to name a likely cause
     bool progress = false;
 };
 
 struct RunResult {
     Trouble trouble;
+    bool stopped = false;                         // before t_end, by trouble or by an interrupt
     double t_fail = 0, t = 0;
     long steps = 0;
     double wall = 0, cpu = 0;
-    double energy_drift = 0, momentum_drift = 0;  // relative to the largest energy; change of momentum
-    double energy_growth = 0;                     // what the balance does not account for, relative to the energy in play
+    double energy_drift = 0;                      // change of energy less work, relative to the energy in play
+    double momentum_drift = 0;                    // change of momentum less impulse, relative to the sum of m |v|
     bool interrupted = false;
     std::vector<std::string> files;
     bool ok() const { return !trouble && !interrupted; }
 };
 
+/// Runs to t_end, or until trouble. A step that carries no verdict of its own may throw OutsideGrid.
 RunResult run(Simulation& simulation, const RunPlan& plan);
 
 /// SIGINT and SIGTERM let the running step finish and end the run with exit code 130.

@@ -2,7 +2,10 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
+#include <stdexcept>
+#include <type_traits>
 
 #include "lab/norms.hpp"
 #include "lab/record.hpp"
@@ -24,6 +27,30 @@ std::vector<std::string> summary_fields(const SummaryRow& r) {
             n(r.dt), n(r.cfl), i(r.steps), n(r.t_end), i(r.threads), r.error_name, n(r.error), n(r.order), r.reference,
             n(r.energy_drift), n(r.momentum_drift), n(r.wall_s), n(r.cpu_s), n(r.ns_per_particle_step), i(r.peak_rss_kb),
             i(r.bytes_per_particle), i(r.bytes_per_node), r.verdict, n(r.t_fail), r.reason};
+}
+
+SummaryRow summary_row(const std::vector<std::string>& fields) {
+    if (fields.size() != summary_columns().size()) throw std::invalid_argument("a summary row has " + std::to_string(summary_columns().size()) + " fields");
+    SummaryRow r;
+    auto next = fields.begin();
+    const auto read = [&](auto& value) {
+        const std::string& text = *next++;
+        using T = std::remove_reference_t<decltype(value)>;
+        if constexpr (std::is_same_v<T, std::string>) {
+            value = text;
+        } else {
+            char* end = nullptr;
+            if constexpr (std::is_same_v<T, double>) value = std::strtod(text.c_str(), &end);
+            else value = static_cast<T>(std::strtol(text.c_str(), &end, 10));
+            if (text.empty() || *end != '\0')
+                throw std::invalid_argument("column " + summary_columns()[static_cast<std::size_t>(next - fields.begin()) - 1] + ": not a number: " + one_line(text));
+        }
+    };
+    const auto all = [&](auto&... values) { (read(values), ...); };
+    all(r.program, r.scene, r.scheme, r.shape, r.transfer, r.options, r.dim, r.cells, r.h, r.ppc, r.particles, r.dt, r.cfl, r.steps, r.t_end, r.threads,
+        r.error_name, r.error, r.order, r.reference, r.energy_drift, r.momentum_drift, r.wall_s, r.cpu_s, r.ns_per_particle_step, r.peak_rss_kb,
+        r.bytes_per_particle, r.bytes_per_node, r.verdict, r.t_fail, r.reason);
+    return r;
 }
 
 void fill_orders(std::vector<SummaryRow>& rows) {

@@ -29,6 +29,8 @@ struct SummaryRow {
 /// The fixed header of summary.csv.
 const std::vector<std::string>& summary_columns();
 std::vector<std::string> summary_fields(const SummaryRow& row);
+/// The inverse of summary_fields. Throws std::invalid_argument where a number is not one.
+SummaryRow summary_row(const std::vector<std::string>& fields);
 
 /// Fills `order` of every row against the row before with the same error name; nan where a run did not end well.
 void fill_orders(std::vector<SummaryRow>& rows);

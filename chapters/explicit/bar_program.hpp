@@ -6,7 +6,7 @@
 #include "chapters/scenes/bar.hpp"
 #include "chapters/weighting/shapes.hpp"
 #include "chapters/weighting/tensor.hpp"
-#include "lab/program.hpp"
+#include "lab/assemble.hpp"
 
 namespace mpm {
 
@@ -41,7 +41,7 @@ int bar_program(const std::string& program, const std::string& purpose, Scheme& 
                 using Kernel = decltype(kernel);
                 using Moving = Tensor<1, Kernel>;
                 using Shape = std::conditional_t<TotalLagrangian, Stored<Moving>, Moving>;
-                a = assemble<Scheme, Bar<TotalLagrangian>, Shape>(scheme, bar, flip, cells, common, [&](const auto& lattice, const auto& points) {
+                a = assemble<Shape>(scheme, bar, flip, cells, common, [&](const auto& lattice, const auto& points) {
                     const Moving moving{lattice, sized<Kernel>(common.ppc)};
                     if constexpr (TotalLagrangian) return Shape(moving, points);
                     else return moving;

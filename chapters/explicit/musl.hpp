@@ -14,8 +14,8 @@ struct Musl {
         void reset() { *this = NodeOf(); }
     };
 
-    template <class Bodies, class Transfer, class Coupling, class Scene>
-    void step(Bodies& bodies, const Transfer& transfer, const Coupling& coupling, const Scene& scene, double t, double dt) const {
+    template <class Bodies, class Coupling, class Scene>
+    void step(Bodies& bodies, const Coupling& coupling, const Scene& scene, double t, double dt) const {
         using Body = typename Bodies::value_type;
         using Node = typename Body::Node;
         constexpr int D = Body::D;
@@ -25,7 +25,7 @@ struct Musl {
                 const Mat<D> V_sigma = p.V * p.sigma;
                 for (const auto& [node, phi, grad] : weights) {
                     node.m += phi * p.m;                                                  // 8
-                    node.mv += phi * p.m * transfer.velocity(p, node);                    // 9
+                    node.mv += phi * p.m * body.transfer.velocity(p, node);               // 9
                     node.f -= V_sigma * grad;                                             // 11
                 }
             });
@@ -36,21 +36,23 @@ struct Musl {
         }
         coupling(bodies, dt);
         for (auto& body : bodies) {
-            transfer.nodal_velocities(body);                                              // 17
+            const auto fix = [&](auto field) { scene.fix(body.grid, field, t + dt); };
+            body.transfer.nodal_velocities(body, fix);                                    // 17
             for (auto& node : body.grid) {
                 node.v_tilde = node.v_new;
                 node.mv_new = Vec<D>::Zero();
             }
             scatter(body, [&](auto& p, const auto& weights) {                             // 16
-                transfer.update_velocity(p, weights);                                     // 19
+                body.transfer.update_velocity(p, weights);                                // 19
                 for (const auto& [node, phi, grad] : weights)
-                    node.mv_new += phi * p.m * transfer.velocity(p, node);                // 20
+                    node.mv_new += phi * p.m * body.transfer.velocity(p, node);           // 20
             });
-            scene.fix(body.grid, &Node::mv_new, t + dt);                                  // 21
+            fix(&Node::mv_new);                                                           // 21
         }
         coupling(bodies, dt);
         for (auto& body : bodies) {
-            for (auto& node : body.grid) node.v_new = velocity(node.mv_new, node.m);      // 24
+            const auto fix = [&](auto field) { scene.fix(body.grid, field, t + dt); };
+            body.transfer.mapped_velocities(body, fix);                                   // 24
             gather(body, [&](auto& p, const auto& weights) {                              // 23
                 Vec<D> v = Vec<D>::Zero();
                 Mat<D> L = Mat<D>::Zero();
@@ -58,7 +60,7 @@ struct Musl {
                     v += phi * node.v_tilde;
                     L += node.v_new * grad.transpose();                                   // 25
                 }
-                p.x += dt * v;                               // 18, here since the weights of 25 are those of x at t
+                p.x += dt * body.transfer.moving(p, v);      // 18, here since the weights of 25 are those of x at t
                 p.F += dt * L * p.F;                                                      // 26
                 p.V = p.F.determinant() * p.V0;                                           // 27
                 body.law.update(p, L, dt);                                                // 28

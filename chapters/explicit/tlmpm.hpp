@@ -14,8 +14,8 @@ struct Tlmpm {
     template <int D> using NodeOf = Musl::NodeOf<D>;
     std::string stress = "musl";  // MUSL flavour, or "usl"
 
-    template <class Bodies, class Transfer, class Coupling, class Scene>
-    void step(Bodies& bodies, const Transfer& transfer, const Coupling& coupling, const Scene& scene, double t, double dt) const {
+    template <class Bodies, class Coupling, class Scene>
+    void step(Bodies& bodies, const Coupling& coupling, const Scene& scene, double t, double dt) const {
         using Body = typename Bodies::value_type;
         using Node = typename Body::Node;
         constexpr int D = Body::D;
@@ -26,7 +26,7 @@ struct Tlmpm {
                 const Mat<D> V0_P = p.V0 * p.sigma * cofactor(p.F);                       // 27: P = J sigma F^-T
                 for (const auto& [node, phi, grad] : weights) {
                     node.m += phi * p.m;                                                  // 3
-                    node.mv += phi * p.m * transfer.velocity(p, node);                    // 9
+                    node.mv += phi * p.m * body.transfer.velocity(p, node);               // 9
                     node.f -= V0_P * grad;                                                // 11
                 }
             });
@@ -37,19 +37,19 @@ struct Tlmpm {
         }
         coupling(bodies, dt);
         for (auto& body : bodies) {
-            transfer.nodal_velocities(body);                                              // 17
+            const auto fix = [&](auto field) { scene.fix(body.grid, field, t + dt); };
+            body.transfer.nodal_velocities(body, fix);                                    // 17
             for (auto& node : body.grid) node.v_tilde = node.v_new;
             if (double_mapping)
                 for (auto& node : body.grid) node.mv_new = Vec<D>::Zero();
             scatter(body, [&](auto& p, const auto& weights) {                             // 16
-                transfer.update_velocity(p, weights);                                     // 18
+                body.transfer.update_velocity(p, weights);                                // 18
                 if (!double_mapping) return;
                 for (const auto& [node, phi, grad] : weights)
-                    node.mv_new += phi * p.m * transfer.velocity(p, node);                // 19
+                    node.mv_new += phi * p.m * body.transfer.velocity(p, node);           // 19
             });
-            scene.fix(body.grid, &Node::mv_new, t + dt);                                  // 20
-            if (double_mapping)
-                for (auto& node : body.grid) node.v_new = velocity(node.mv_new, node.m);
+            fix(&Node::mv_new);                                                           // 20
+            if (double_mapping) body.transfer.mapped_velocities(body, fix);
             gather(body, [&](auto& p, const auto& weights) {                              // 22
                 Vec<D> v = Vec<D>::Zero();
                 Mat<D> Fdot = Mat<D>::Zero();
@@ -61,7 +61,7 @@ struct Tlmpm {
                 const Mat<D> L = Fdot * p.F.inverse();                                    // 25
                 p.V = p.F.determinant() * p.V0;
                 body.law.update(p, L, dt);                                                // 26
-                p.x += dt * v;                                                            // 28
+                p.x += dt * body.transfer.moving(p, v);                                                            // 28
             });
         }
     }

@@ -11,8 +11,8 @@ struct Usf {
     template <int D> using PointOf = Point<D>;
     template <int D> using NodeOf = mpm::Node<D>;
 
-    template <class Bodies, class Transfer, class Coupling, class Scene>
-    void step(Bodies& bodies, const Transfer& transfer, const Coupling& coupling, const Scene& scene, double t, double dt) const {
+    template <class Bodies, class Coupling, class Scene>
+    void step(Bodies& bodies, const Coupling& coupling, const Scene& scene, double t, double dt) const {
         using Body = typename Bodies::value_type;
         using Node = typename Body::Node;
         constexpr int D = Body::D;
@@ -21,15 +21,16 @@ struct Usf {
             scatter(body, [&](const auto& p, const auto& weights) {                       // 2
                 for (const auto& [node, phi, grad] : weights) {
                     node.m += phi * p.m;                                                  // 3
-                    node.mv += phi * p.m * transfer.velocity(p, node);                    // 4
+                    node.mv += phi * p.m * body.transfer.velocity(p, node);               // 4
                 }
             });
+            const auto fix = [&](auto field) { scene.fix(body.grid, field, t + dt); };
             scene.fix(body.grid, &Node::mv, t);
             for (auto& node : body.grid) node.mv_new = node.mv;
-            transfer.nodal_velocities(body);                                              // 5
+            body.transfer.mapped_velocities(body, fix);                                   // 5
             scatter(body, [&](auto& p, const auto& weights) {
                 Mat<D> L = Mat<D>::Zero();
-                for (const auto& [node, phi, grad] : weights) L += node.v * grad.transpose();  // 6
+                for (const auto& [node, phi, grad] : weights) L += node.v_new * grad.transpose();  // 6
                 p.F += dt * L * p.F;                                                      // 7
                 p.V = p.F.determinant() * p.V0;                                           // 8
                 body.law.update(p, L, dt);                                                // 9
@@ -42,12 +43,13 @@ struct Usf {
         }
         coupling(bodies, dt);                                                             // 14-26
         for (auto& body : bodies) {
-            transfer.nodal_velocities(body);
+            const auto fix = [&](auto field) { scene.fix(body.grid, field, t + dt); };
+            body.transfer.nodal_velocities(body, fix);
             gather(body, [&](auto& p, const auto& weights) {                              // 27
                 Vec<D> v = Vec<D>::Zero();
                 for (const auto& [node, phi, grad] : weights) v += phi * node.v_new;
-                transfer.update_velocity(p, weights);                                     // 28
-                p.x += dt * v;                                                            // 29
+                body.transfer.update_velocity(p, weights);                                // 28
+                p.x += dt * body.transfer.moving(p, v);                                   // 29
             });
         }
     }

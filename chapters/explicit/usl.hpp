@@ -12,8 +12,8 @@ struct Usl {
     template <int D> using NodeOf = mpm::Node<D>;
     double cutoff = 0;  // nodes with at most this mass are left out (2.63) [mass]
 
-    template <class Bodies, class Transfer, class Coupling, class Scene>
-    void step(Bodies& bodies, const Transfer& transfer, const Coupling& coupling, const Scene& scene, double t, double dt) const {
+    template <class Bodies, class Coupling, class Scene>
+    void step(Bodies& bodies, const Coupling& coupling, const Scene& scene, double t, double dt) const {
         using Body = typename Bodies::value_type;
         using Node = typename Body::Node;
         constexpr int D = Body::D;
@@ -23,7 +23,7 @@ struct Usl {
                 const Mat<D> V_sigma = p.V * p.sigma;
                 for (const auto& [node, phi, grad] : weights) {
                     node.m += phi * p.m;                                                  // 8
-                    node.mv += phi * p.m * transfer.velocity(p, node);                    // 9
+                    node.mv += phi * p.m * body.transfer.velocity(p, node);               // 9
                     node.f -= V_sigma * grad;                                             // 11
                 }
             });
@@ -37,7 +37,8 @@ struct Usl {
         }
         coupling(bodies, dt);
         for (auto& body : bodies) {
-            transfer.nodal_velocities(body);                                              // 17
+            const auto fix = [&](auto field) { scene.fix(body.grid, field, t + dt); };
+            body.transfer.nodal_velocities(body, fix);                                    // 17
             gather(body, [&](auto& p, const auto& weights) {                              // 16
                 Vec<D> v = Vec<D>::Zero();
                 Mat<D> L = Mat<D>::Zero();
@@ -45,8 +46,8 @@ struct Usl {
                     v += phi * node.v_new;
                     L += node.v_new * grad.transpose();                                   // 20
                 }
-                transfer.update_velocity(p, weights);                                     // 18
-                p.x += dt * v;                                                            // 19
+                body.transfer.update_velocity(p, weights);                                // 18
+                p.x += dt * body.transfer.moving(p, v);                                   // 19
                 p.F += dt * L * p.F;                                                      // 21
                 p.V = p.F.determinant() * p.V0;                                           // 22
                 body.law.update(p, L, dt);                                                // 23-25

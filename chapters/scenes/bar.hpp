@@ -26,6 +26,7 @@ template <bool TotalLagrangian> struct Bar {
     static constexpr int D = 1;
     static constexpr const char* name = "bar";
     static constexpr const char* solves = "axial vibration of a bar, fixed at x = 0, free at x = L";
+    static constexpr const char* reference = "exact";
     static constexpr std::array<const char*, 2> columns{"v_cm", "v_cm_exact"};
     using Law = std::conditional_t<TotalLagrangian, Hooke, LinearElastic>;
 
@@ -47,6 +48,7 @@ template <bool TotalLagrangian> struct Bar {
     double default_t_end() const { return 10 * (2 * length / std::sqrt(E / rho)) * 2; }  // 10 periods of mode 1: 100
     double speed() const { return v0; }  // largest particle speed, for the time step
     double v_cm_exact(double t) const { return v0 / (beta() * length) * std::cos(omega() * t); }
+    double wave_speed() const { return law().wave_speed(); }
     Law law() const { return {0, E / 2, rho}; }  // lambda + 2 mu = E: uniaxial stress
 
     double cell_size(int cells) const { return length / cells; }
@@ -73,6 +75,7 @@ template <bool TotalLagrangian> struct Bar {
 
     template <class Body> void load(Body&, double) const {}
     template <class Grid, class Field> void fix(Grid& grid, Field field, double) const { (grid[0].*field)[0] = 0; }
+    template <class Grid> Vec<1> held_force(const Grid& grid) const { return grid[0].f; }
 
     /// Velocity of the centre of mass (6.4).
     template <class Points> double v_cm(const Points& points) const {

@@ -19,6 +19,7 @@ namespace mpm {
 template <int D, class KernelType> struct Tensor {
     using Kernel = KernelType;
     static constexpr int N = Kernel::support;
+    static constexpr bool total_lagrangian = false;
 
     Lattice<D> lattice;
     Kernel kernel{};
@@ -39,6 +40,8 @@ template <int D, class KernelType> struct Tensor {
 template <class Shape> class Stored {
 public:
     using Kernel = typename Shape::Kernel;
+    static constexpr int N = Kernel::support;
+    static constexpr bool total_lagrangian = true;
     Stored() = default;
     template <class Points> Stored(const Shape& shape, const Points& points) {
         stencils_.reserve(points.size());

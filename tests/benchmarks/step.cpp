@@ -50,7 +50,7 @@ using Schemes = List<Usl, Usf, Musl, Tlmpm>;
 template <class Scheme, int D, class Kernel>
 using ShapeOf = std::conditional_t<std::is_same_v<Scheme, Tlmpm>, Stored<Tensor<D, Kernel>>, Tensor<D, Kernel>>;
 template <class Scheme, int D, class Law, class Kernel>
-using BodyOf = Body<D, Point<D>, typename Scheme::template NodeOf<D>, Law, ShapeOf<Scheme, D, Kernel>>;
+using BodyOf = Body<D, Point<D>, typename Scheme::template NodeOf<D>, Law, ShapeOf<Scheme, D, Kernel>, Flip>;
 
 template <int D> Lattice<D> lattice_around(int cells, int per_cell) {
     std::array<int, D> all;
@@ -85,7 +85,7 @@ template <class Scheme, int D, class Law, class Kernel> auto vibrating(int cells
     else
         used = shape;
     Grid<D, typename Scheme::template NodeOf<D>> grid(lattice);
-    return std::array{BodyOf<Scheme, D, Law, Kernel>{std::move(points), std::move(grid), law, std::move(used)}};
+    return std::array{BodyOf<Scheme, D, Law, Kernel>{std::move(points), std::move(grid), law, std::move(used), Flip{}}};
 }
 
 /// The same square for the hand-written kernel.
@@ -118,7 +118,7 @@ void report(benchmark::State& state, std::size_t particles) {
 template <class Scheme, int D, class Law, class Kernel> void time_page(benchmark::State& state) {
     auto bodies = vibrating<Scheme, D, Law, Kernel>(cells_for(static_cast<double>(state.range(0)), D), slow);
     for (auto _ : state) {
-        Scheme{}.step(bodies, Flip{}, Free{}, FreeScene{}, 0.0, dt);
+        Scheme{}.step(bodies, Free{}, FreeScene{}, 0.0, dt);
         benchmark::ClobberMemory();
     }
     report(state, bodies[0].points.size());
@@ -138,7 +138,7 @@ template <class Law, class Kernel, auto step> void check() {
     auto bodies = vibrating<Musl, 2, Law, Kernel>(20, fast);
     auto square = by_hand_copy(bodies[0]);
     for (int n = 0; n < 60; ++n) {
-        Musl{}.step(bodies, Flip{}, Free{}, FreeScene{}, 0.0, dt);
+        Musl{}.step(bodies, Free{}, FreeScene{}, 0.0, dt);
         step(square, dt);
     }
     const auto expected = by_hand_copy(bodies[0]);

@@ -23,7 +23,7 @@ template <int D, class Scheme, class Law, class Kernel = Hat> struct Problem {
     using Moving = Tensor<D, Kernel>;
     using Shape = std::conditional_t<total, Stored<Moving>, Moving>;
     using Node = typename Scheme::template NodeOf<D>;
-    using BodyType = Body<D, Point<D>, Node, Law, Shape>;
+    using BodyType = Body<D, Point<D>, Node, Law, Shape, Flip>;
 
     Scheme scheme{};
     Flip transfer{};
@@ -61,13 +61,13 @@ template <int D, class Scheme, class Law, class Kernel = Hat> struct Problem {
         if constexpr (requires { kernel.l0 = 1.0; }) kernel.l0 = 1.0 / ppc;
         const Moving moving{lattice, kernel};
         if constexpr (total)
-            bodies.push_back(BodyType{points, Grid<D, Node>(lattice), law, Shape(moving, points)});
+            bodies.push_back(BodyType{points, Grid<D, Node>(lattice), law, Shape(moving, points), transfer});
         else
-            bodies.push_back(BodyType{points, Grid<D, Node>(lattice), law, moving});
+            bodies.push_back(BodyType{points, Grid<D, Node>(lattice), law, moving, transfer});
     }
     std::vector<Point<D>>& points() { return bodies[0].points; }
     void run(int steps, double dt) {
-        for (int k = 0; k < steps; ++k, t += dt) scheme.step(bodies, transfer, Free{}, *this, t, dt);
+        for (int k = 0; k < steps; ++k, t += dt) scheme.step(bodies, Free{}, *this, t, dt);
     }
     Vec<D> momentum() const {
         Vec<D> mv = Vec<D>::Zero();

@@ -105,7 +105,7 @@ TYPED_TEST(Schemes, TwoBodiesInOneRunMoveAsEachAlone) {
 
 TYPED_TEST(Schemes, PicLosesEnergyAndNoMomentum) {
     auto s = square<TypeParam>();
-    s.transfer.alpha = 0;
+    s.bodies[0].transfer.alpha = 0;
     const double before = measure(s.bodies).total();
     const Vec<2> mv = s.momentum();
     s.run(200, 0.002);

@@ -1,0 +1,110 @@
+/// Two watches over the grid: cells inside a body that no particle covers (numerical fracture), and nodes with hardly any mass.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+#include "lab/body.hpp"
+#include "lab/monitor.hpp"
+
+namespace mpm {
+
+/// Numerical fracture (review 2.5.5): particles have moved so far apart that no node feels both sides of a gap, while their F says that the
+/// material is still whole. A particle covers its own cell and every cell whose middle lies in its deformed domain, widened by a quarter
+/// of a cell. A gap is a run of uncovered cells, between covered ones along every axis, at least as wide as the weighting function's
+/// reach, `support - 1`. Gaps that were there at the start (holes) do not count.
+template <int D> class Coverage {
+public:
+    template <class Body> Coverage(const Body& body, int support) : lattice_(body.grid.lattice()), least_(support - 1) {
+        covered_.resize(static_cast<std::size_t>(cells()));
+        at_start_ = count(body);
+    }
+
+    template <class Body> Trouble check(const Body& body) {
+        const int gaps = count(body);
+        if (gaps <= at_start_) return {};
+        std::ostringstream s;
+        s << "a gap in the body beside x = " << gap_.transpose() << ": " << gaps - at_start_ << " cell" << (gaps - at_start_ > 1 ? "s" : "")
+          << " inside it without a particle";
+        return {"numerical-fracture", s.str()};
+    }
+
+private:
+    int cells() const {
+        int n = 1;
+        for (int d = 0; d < D; ++d) n *= lattice_.cells(d);
+        return n;
+    }
+    int stride(int axis) const { return axis == 0 ? 1 : lattice_.cells(0); }
+    int along(int cell, int axis) const { return cell / stride(axis) % lattice_.cells(axis); }
+    bool covered(int cell) const { return covered_[static_cast<std::size_t>(cell)] != 0; }
+
+    template <class Point> void cover(const Point& p) {
+        std::array<int, 2> low{}, high{};
+        const double size = std::pow(p.V0, 1.0 / D);
+        for (int d = 0; d < D; ++d) {
+            const auto axis = static_cast<std::size_t>(d);
+            const double xi = lattice_.in_cells(p.x[d], d), half = 0.5 * size * p.F.row(d).template lpNorm<1>() * lattice_.per_h()[d] + 0.25;
+            const double last = lattice_.cells(d) - 1, own = std::clamp(std::floor(xi), 0.0, last);
+            low[axis] = static_cast<int>(std::clamp(std::ceil(xi - half - 0.5), 0.0, own));
+            high[axis] = static_cast<int>(std::clamp(std::floor(xi + half - 0.5), own, last));
+        }
+        for (int j = low[1]; j <= high[1]; ++j)
+            for (int i = low[0]; i <= high[0]; ++i) covered_[static_cast<std::size_t>(j * lattice_.cells(0) + i)] = 1;
+    }
+
+    /// Length of the run of uncovered cells through `cell` along an axis; 0 if it has no covered cell at both ends nearby.
+    int run(int cell, int axis) const {
+        const int place = along(cell, axis), step = stride(axis), far = 3 * least_;
+        int below = 1, above = 1;
+        while (below <= far && below <= place && !covered(cell - below * step)) ++below;
+        while (above <= far && place + above < lattice_.cells(axis) && !covered(cell + above * step)) ++above;
+        const bool closed = below <= far && below <= place && above <= far && place + above < lattice_.cells(axis);
+        return closed ? below + above - 1 : 0;
+    }
+
+    template <class Body> int count(const Body& body) {
+        std::fill(covered_.begin(), covered_.end(), char{0});
+        for (const auto& p : body.points) cover(p);
+        int gaps = 0;
+        for (int cell = 0; cell < cells(); ++cell) {
+            if (covered(cell)) continue;
+            int least = run(cell, 0);
+            if constexpr (D == 2) least = std::min(least, run(cell, 1));
+            if (least < least_) continue;
+            ++gaps;
+            for (int d = 0; d < D; ++d) gap_[d] = lattice_.origin()[d] + (along(cell, d) + 0.5) * lattice_.h()[d];
+        }
+        return gaps;
+    }
+
+    Lattice<D> lattice_;
+    int least_;  // cells
+    std::vector<char> covered_;
+    int at_start_ = 0;
+    Vec<D> gap_ = Vec<D>::Zero();
+};
+
+/// Counts what is legal but should be rare: nodes whose mass is a tiny part of a particle's (review figure 10), and, where the scheme has a
+/// mass cut-off, nodes that it left out.
+class NodeWatch {
+public:
+    template <class Bodies> void look(const Bodies& bodies, double cutoff) {
+        for (const auto& body : bodies) {
+            if (body.points.empty()) continue;
+            const double mass = body.points.front().m;
+            for (const auto& node : body.grid) {
+                if (!(node.m > 0)) continue;
+                smallest = std::min(smallest, node.m / mass);
+                if (node.m < tiny * mass) ++tiny_nodes;
+                if (node.m <= cutoff) ++cut_nodes;
+            }
+        }
+    }
+    static constexpr double tiny = 1e-6;
+    double smallest = 1;                   // nodal mass / particle mass
+    long tiny_nodes = 0, cut_nodes = 0;    // node steps
+};
+
+}  // namespace mpm
