@@ -1,7 +1,7 @@
 # The thin front door. `make figures` sets up, builds and draws; `make check` passes the tests.
 MAKEFLAGS += --no-print-directory
 JOBS ?= $(shell nproc)
-.PHONY: all setup build check figures sanitize bench clean
+.PHONY: all setup build check mutants figures sanitize bench clean
 .DEFAULT_GOAL := all
 
 all: build
@@ -13,6 +13,9 @@ build: setup
 	cmake --build build -j$(JOBS)
 check: build
 	cd build && ctest --output-on-failure -j$(JOBS)
+# Breaks one line of a scheme at a time; every break must be noticed by a test. A few minutes.
+mutants: setup
+	./tests/mutants/run.sh $(JOBS)
 figures: build
 	./plots/figures.sh build figures
 sanitize: setup

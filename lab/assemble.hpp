@@ -19,123 +19,148 @@ namespace mpm {
 template <class Scheme, class Transfer, int D> using PointFor = typename Transfer::template PointOf<typename Scheme::template PointOf<D>>;
 template <class Scheme, class Transfer, int D> using NodeFor = typename Transfer::template NodeOf<typename Scheme::template NodeOf<D>>;
 
-/// One resolution of one problem, alive as long as the functions of `Assembled` that share it.
+/// One resolution of a scene without its weights, shared by the functions that the run loop calls: compiled once for all shapes.
 ///
-/// A scene tells its law, lattice(cells, nodes per cell), particles<Point>(cells, ppc), load(body, t), fix(grid, field, t), speed(), watch(points, t) and an Observer.
-/// It may also tell held_force(grid), the force on held velocity components, from which the momentum balance takes the impulse of walls;
-/// supply(bodies, t, dt), impulse and work of its loads; may_break, if gaps in its bodies are no defect; animated(), what a gif shows.
-template <class Scheme, class Scene, class Shape, class Transfer> struct Problem {
+/// A scene tells its law, lattice(cells, nodes per cell), particles<Point>(cells, ppc), load(body, t), fix(grid, field, t), speed(), wave_speed(), watch(points, t)
+/// and an Observer. It may also tell held_force(grid), the force on held velocity components, from which the momentum balance takes the impulse
+/// of walls; supply(bodies, t, dt), impulse and work of its loads; animated(), what a gif shows; may_break, if gaps in its bodies are no defect.
+template <class Scene, class Matter> struct Problem {
     static constexpr int D = Scene::D;
-    using Point = PointFor<Scheme, Transfer, D>;
-    using Node = NodeFor<Scheme, Transfer, D>;
-    using OneBody = Body<D, Point, Node, typename Scene::Law, Shape, Transfer>;
 
-    Problem(const Scheme& a, const Scene& b) : scheme(a), scene(b), observer{scene} {}
+    explicit Problem(const Scene& s) : scene(s), observer{scene} {}
     Problem(const Problem&) = delete;
     Problem& operator=(const Problem&) = delete;
 
-    Scheme scheme;
     Scene scene;
-    std::vector<OneBody> bodies;
-    std::vector<std::vector<Point>> good;  // the last state that was well
-    std::vector<Coverage<D>> coverage;     // of bodies that can come apart
+    std::vector<Matter*> bodies;
+    std::vector<std::vector<typename Matter::Point>> good;  // the last state that was well
+    std::vector<Coverage<D>> coverage;                      // of bodies that can come apart
     NodeWatch nodes;
+    bool watches_nodes = false;
+    double cutoff = 0;                                      // the scheme's, if it has one [mass]
     typename Scene::Observer observer;
 
-    void start() {
-        if constexpr (requires { scheme.start(bodies, scene); }) scheme.start(bodies, scene);
-        if constexpr (!Shape::total_lagrangian && !requires { Scene::may_break; })
-            for (const auto& body : bodies) coverage.emplace_back(body, Shape::N);
-        keep();
-    }
     void keep() {
         good.clear();
-        for (const auto& body : bodies) good.push_back(body.points);
+        for (const Matter* body : bodies) good.push_back(body->points);
     }
     void restore() {
-        for (std::size_t b = 0; b < good.size(); ++b) bodies[b].points = good[b];
+        for (std::size_t b = 0; b < good.size(); ++b) bodies[b]->points = good[b];
+    }
+    Measures measure() const {
+        Measures sum;
+        for (const Matter* body : bodies) add_measures(*body, sum);
+        return sum;
+    }
+    Trouble check() const {
+        for (const Matter* body : bodies)
+            if (Trouble trouble = check_particles(*body)) return trouble;
+        return {};
     }
     Trouble inspect() {
         for (std::size_t b = 0; b < coverage.size(); ++b)
-            if (Trouble gap = coverage[b].check(bodies[b])) return gap;
+            if (Trouble gap = coverage[b].check(*bodies[b])) return gap;
         return {};
     }
     double critical_dt() const {
         double speed2 = 0;
-        for (const auto& body : bodies)
-            for (const auto& p : body.points) speed2 = std::max(speed2, p.v.squaredNorm());
-        return critical_step<D>(bodies[0].grid.lattice().h(), scene.wave_speed(), std::sqrt(speed2));
+        for (const Matter* body : bodies)
+            for (const auto& p : body->points) speed2 = std::max(speed2, p.v.squaredNorm());
+        return critical_step<D>(bodies[0]->grid.lattice().h(), scene.wave_speed(), std::sqrt(speed2));
     }
     /// After a step: the impulse of walls and loads, the work of loads, and a look at the nodes.
     Supply supply(double t, double dt) {
-        double cutoff = 0;
-        if constexpr (requires { scheme.cutoff; }) cutoff = scheme.cutoff;
-        if constexpr (!Shape::total_lagrangian) nodes.look(bodies, cutoff);
         Supply sum;
         if constexpr (requires { scene.supply(bodies, t, dt); }) sum = scene.supply(bodies, t, dt);
-        if constexpr (requires { scene.held_force(bodies[0].grid); })
-            for (const auto& body : bodies) {
-                const Vec<D> f = scene.held_force(body.grid);
+        for (const Matter* body : bodies) {
+            if (watches_nodes) nodes.look(*body, cutoff);
+            if constexpr (requires { scene.held_force(body->grid); }) {
+                const Vec<D> f = scene.held_force(body->grid);
                 for (int d = 0; d < D; ++d) sum.impulse[static_cast<std::size_t>(d)] -= dt * f[d];
             }
+        }
         return sum;
     }
 };
 
-/// The functions that the run loop calls, on a problem whose bodies stand.
-template <class P> Simulation simulate(const std::shared_ptr<P>& s, double t_end) {
+/// All that the run loop calls but the step.
+template <class Scene, class Matter> Simulation watched(const std::shared_ptr<Problem<Scene, Matter>>& s, double t_end) {
     Simulation sim;
-    sim.step = [s](double t, double dt) { s->scheme.step(s->bodies, Free{}, s->scene, t, dt); };
-    sim.measure = [s] { return measure(s->bodies); };
-    sim.check = [s] { return check_particles(s->bodies); };
+    sim.measure = [s] { return s->measure(); };
+    sim.check = [s] { return s->check(); };
     sim.inspect = [s] { return s->inspect(); };
-    sim.where = [s] { return fastest_particle(s->bodies); };
+    sim.where = [s] { return fastest_particle(*s->bodies[0]); };
     sim.supply = [s](double t, double dt) { return s->supply(t, dt); };
     sim.critical_dt = [s] { return s->critical_dt(); };
-    sim.sample = [s](double t, double energy) { s->observer.sample(s->bodies[0].points, t, energy); };
+    sim.sample = [s](double t, double energy) { s->observer.sample(s->bodies[0]->points, t, energy); };
     sim.wants_energy = [s, t_end](double t) { return s->observer.wants_energy(t, t_end); };
     sim.watch = [s](double t) {
-        const auto values = s->scene.watch(s->bodies[0].points, t);
+        const auto values = s->scene.watch(s->bodies[0]->points, t);
         return std::vector<double>(values.begin(), values.end());
     };
-    sim.write_particles = [s](const std::string& path) { write_particles(path, s->bodies); };
-    sim.write_nodes = [s](const std::string& path) { write_nodes(path, s->bodies); };
+    sim.write_particles = [s](const std::string& path) { write_particles<Scene::D>(path, s->bodies); };
+    sim.write_nodes = [s](const std::string& path) { write_nodes<Scene::D>(path, s->bodies); };
     sim.keep = [s] { s->keep(); };
     sim.restore = [s] { s->restore(); };
     return sim;
 }
 
-/// `make_shape(lattice, points)` gives the body's weighting function.
-template <class Shape, class Scheme, class Scene, class Transfer, class MakeShape>
-Assembled assemble(const Scheme& scheme, const Scene& scene, const Transfer& transfer, int cells, const Common& common, MakeShape&& make_shape) {
-    using P = Problem<Scheme, Scene, Shape, Transfer>;
-    auto s = std::make_shared<P>(scheme, scene);
-    const Lattice<P::D> lattice = scene.lattice(cells, Shape::Kernel::per_cell);
-    auto points = scene.template particles<typename P::Point>(cells, common.ppc);
-    Shape shape = make_shape(lattice, points);
-    s->bodies.push_back({std::move(points), Grid<P::D, typename P::Node>(lattice), scene.law(), std::move(shape), transfer});
-    s->start();
-
+/// What the report needs besides; the caller fills in names that the weights decide.
+template <class Scene, class Matter> Assembled reported(const std::shared_ptr<Problem<Scene, Matter>>& s, int cells, const Common& common) {
+    const Scene& scene = s->scene;
+    const Vec<Scene::D> h = s->bodies[0]->grid.lattice().h();
     Assembled a;
-    a.simulation = simulate(s, common.t_end);
-    a.critical_dt = critical_step<P::D>(lattice.h(), scene.wave_speed(), scene.speed());
+    a.simulation = watched(s, common.t_end);
+    a.critical_dt = critical_step<Scene::D>(h, scene.wave_speed(), scene.speed());
     a.row.scene = Scene::name;
-    a.row.scheme = Scheme::name;
-    a.row.shape = Shape::Kernel::name;
-    a.row.transfer = Transfer::name;
-    a.row.dim = P::D;
-    a.row.cells = cells;
-    a.row.h = lattice.h()[0];
-    a.row.ppc = common.ppc;
     a.row.reference = Scene::reference;
-    a.row.particles = static_cast<long>(s->bodies[0].points.size());
-    a.row.bytes_per_particle = sizeof(typename P::Point);
-    a.row.bytes_per_node = sizeof(typename P::Node);
+    a.row.dim = Scene::D;
+    a.row.cells = cells;
+    a.row.h = h[0];
+    a.row.ppc = common.ppc;
+    for (const Matter* body : s->bodies) a.row.particles += static_cast<long>(body->points.size());
+    a.row.bytes_per_particle = sizeof(typename Matter::Point);
+    a.row.bytes_per_node = sizeof(typename Matter::Node);
     a.errors = [s](double t_end) { return s->observer.errors(t_end); };
     a.facts = [s](double t_end) { return s->observer.facts(t_end); };
     a.nodes = [s] { return s->nodes; };
     if constexpr (requires { scene.animated(); }) a.animated = scene.animated();
-    else if constexpr (P::D == 2) a.animated = {"x", "y", "sxx", "x [length]", "y [length]", "σ_{xx} [force/area]"};
+    else if constexpr (Scene::D == 2) a.animated = {"x", "y", "sxx", "x [length]", "y [length]", "σ_{xx} [force/area]"};
+    return a;
+}
+
+/// `make_shape(lattice, points)` gives the body's weighting function.
+template <class Shape, class Scheme, class Scene, class Transfer, class MakeShape>
+Assembled assemble(const Scheme& scheme, const Scene& scene, const Transfer& transfer, int cells, const Common& common, MakeShape&& make_shape) {
+    constexpr int D = Scene::D;
+    using Point = PointFor<Scheme, Transfer, D>;
+    using Node = NodeFor<Scheme, Transfer, D>;
+    using Substance = Matter<D, Point, Node, typename Scene::Law>;
+    using OneBody = Body<D, Point, Node, typename Scene::Law, Shape, Transfer>;
+    struct Moved {
+        Scheme scheme;
+        std::vector<OneBody> bodies;
+    };
+    auto problem = std::make_shared<Problem<Scene, Substance>>(scene);
+    auto moved = std::make_shared<Moved>(Moved{scheme, {}});
+    const Lattice<D> lattice = scene.lattice(cells, Shape::Kernel::per_cell);
+    auto points = scene.template particles<Point>(cells, common.ppc);
+    Shape shape = make_shape(lattice, points);
+    moved->bodies.push_back({{std::move(points), Grid<D, Node>(lattice), scene.law()}, std::move(shape), transfer});
+    if constexpr (requires { scheme.start(moved->bodies, scene); }) moved->scheme.start(moved->bodies, scene);
+    for (OneBody& body : moved->bodies) problem->bodies.push_back(&body);
+    if constexpr (!Shape::total_lagrangian) {
+        problem->watches_nodes = true;
+        if constexpr (requires { scheme.cutoff; }) problem->cutoff = scheme.cutoff;
+        if constexpr (!requires { Scene::may_break; })
+            for (const Substance* body : problem->bodies) problem->coverage.emplace_back(*body, Shape::N);
+    }
+    problem->keep();
+    Assembled a = reported(problem, cells, common);
+    a.simulation.step = [moved, problem](double t, double dt) { moved->scheme.step(moved->bodies, Free{}, problem->scene, t, dt); };
+    a.row.scheme = Scheme::name;
+    a.row.shape = Shape::Kernel::name;
+    a.row.transfer = Transfer::name;
     return a;
 }
 

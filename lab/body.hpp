@@ -33,19 +33,25 @@ private:
     Node* nodes_;
 };
 
-/// One body. `Shape` is called with (particle, its number) and gives a stencil; `Law` is a constitutive model; `Transfer` says how particles and
-/// nodes exchange velocities, and extends both by what it needs.
-template <int Dim, class PointType, class NodeType, class LawType, class ShapeType, class TransferType> struct Body {
+/// What a body is made of, without the weights: all that the monitor and the files need. `Law` is a constitutive model.
+template <int Dim, class PointType, class NodeType, class LawType> struct Matter {
     static constexpr int D = Dim;
     using Point = PointType;
     using Node = NodeType;
     using Law = LawType;
-    using Shape = ShapeType;
-    using Transfer = TransferType;
 
     std::vector<Point> points;
     Grid<D, Node> grid;
     Law law;
+};
+
+/// One body. `Shape` is called with (particle, its number) and gives a stencil; `Transfer` says how particles and nodes exchange velocities, and
+/// extends both by what it needs.
+template <int Dim, class PointType, class NodeType, class LawType, class ShapeType, class TransferType>
+struct Body : Matter<Dim, PointType, NodeType, LawType> {
+    using Shape = ShapeType;
+    using Transfer = TransferType;
+
     Shape shape;
     Transfer transfer;
 };

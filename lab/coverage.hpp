@@ -16,12 +16,12 @@ namespace mpm {
 /// reach, `support - 1`. Gaps that were there at the start (holes) do not count.
 template <int D> class Coverage {
 public:
-    template <class Body> Coverage(const Body& body, int support) : lattice_(body.grid.lattice()), least_(support - 1) {
+    template <class Matter> Coverage(const Matter& body, int support) : lattice_(body.grid.lattice()), least_(support - 1) {
         covered_.resize(static_cast<std::size_t>(cells()));
         at_start_ = count(body);
     }
 
-    template <class Body> Trouble check(const Body& body) {
+    template <class Matter> Trouble check(const Matter& body) {
         const int gaps = count(body);
         if (gaps <= at_start_) return {};
         std::ostringstream s;
@@ -64,7 +64,7 @@ private:
         return closed ? below + above - 1 : 0;
     }
 
-    template <class Body> int count(const Body& body) {
+    template <class Matter> int count(const Matter& body) {
         std::fill(covered_.begin(), covered_.end(), char{0});
         for (const auto& p : body.points) cover(p);
         int gaps = 0;
@@ -90,16 +90,14 @@ private:
 /// mass cut-off, nodes that it left out.
 class NodeWatch {
 public:
-    template <class Bodies> void look(const Bodies& bodies, double cutoff) {
-        for (const auto& body : bodies) {
-            if (body.points.empty()) continue;
-            const double mass = body.points.front().m;
-            for (const auto& node : body.grid) {
-                if (!(node.m > 0)) continue;
-                smallest = std::min(smallest, node.m / mass);
-                if (node.m < tiny * mass) ++tiny_nodes;
-                if (node.m <= cutoff) ++cut_nodes;
-            }
+    template <class Matter> void look(const Matter& body, double cutoff) {
+        if (body.points.empty()) return;
+        const double mass = body.points.front().m;
+        for (const auto& node : body.grid) {
+            if (!(node.m > 0)) continue;
+            smallest = std::min(smallest, node.m / mass);
+            if (node.m < tiny * mass) ++tiny_nodes;
+            if (node.m <= cutoff) ++cut_nodes;
         }
     }
     static constexpr double tiny = 1e-6;

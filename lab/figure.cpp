@@ -35,8 +35,8 @@ std::string in_gnuplot(std::string_view text) { return std::string("'").append(r
 /// The same words for LaTeX: those with indices, powers or symbols become formulas, unless the text is plain.
 std::string latex(std::string_view text, bool plain) {
     static const Replacements escapes{{"%", "\\%"}, {"&", "\\&"}, {"#", "\\#"}, {"_", "\\_"}, {"^", "\\^{}"}};
-    static const Replacements symbols{{"φ", "\\phi "}, {"∂", "\\partial "}, {"∇", "\\nabla "}, {"σ", "\\sigma "}, {"ε", "\\varepsilon "},
-                                      {"α", "\\alpha "}, {"ρ", "\\rho "}, {"−", "-"}, {"Σ", "\\Sigma "}, {"×", "\\times "}};
+    static const Replacements symbols{{"φ", "\\phi "},   {"∂", "\\partial "}, {"∇", "\\nabla "}, {"σ", "\\sigma "}, {"ε", "\\varepsilon "},
+                                      {"α", "\\alpha "}, {"ρ", "\\rho "},     {"−", "-"},        {"Σ", "\\Sigma "}, {"×", "\\times "}};
     std::string result;
     while (!text.empty()) {
         const std::size_t space = std::min(text.find(' '), text.size());
@@ -98,7 +98,8 @@ set pm3d depthorder border lc rgb '#404040' lw 0.4
 
 void surface(std::ostream& s, const Panel& p, const std::string& csv) {
     const std::string rows = std::to_string(p.surface_rows);
-    s << surface_style << "set dgrid3d " << rows << "," << rows << " qnorm 8  # the points are on this square already: heights stay as they are\n"
+    s << surface_style << "set dgrid3d " << rows << "," << rows
+      << " qnorm 8  # the points are on this square already: heights stay as they are\n"
       << "splot " << in_gnuplot(csv) << " using " << column(p.x) << ":" << column(p.surface_y) << ":" << column(p.curves.front().y)
       << " with pm3d notitle\nunset dgrid3d\n";
 }
@@ -130,7 +131,8 @@ std::string write_figure(const std::string& folder, const std::string& name, con
           << "if (kind eq 'pdf') set terminal pdfcairo size " << size(0.005) << " font ',9'\n"
           << "if (tex) set terminal cairolatex pdf size " << size(0.005) << "\n"
           << "set output " << in_gnuplot(name + ".") << ".(tex ? 'tex' : kind)\n"
-          << "set datafile separator ','\nset grid lc rgb '#dddddd' lt 1 lw 1\n" << line_types
+          << "set datafile separator ','\nset grid lc rgb '#dddddd' lt 1 lw 1\n"
+          << line_types
           << (columns == 1 ? "set key outside right top\n" : "set key outside right top samplen 1.5\nset offsets graph 0, 0, 0.04, 0.04\n")
           << "set multiplot layout " << rows << "," << columns << " title " << label(title, true) << " noenhanced\n";
         for (const Panel& p : panels) {
@@ -148,8 +150,8 @@ std::string Frame::file() const {
     return name;
 }
 
-std::vector<std::string> write_animation(const std::string& folder, const std::string& name, const std::string& title,
-                                         const Animated& a, const std::vector<Frame>& frames) {
+std::vector<std::string> write_animation(const std::string& folder, const std::string& name, const std::string& title, const Animated& a,
+                                         const std::vector<Frame>& frames) {
     const bool coloured = !a.colour.empty();
     const auto file = [](const std::string& number) { return "sprintf('particles_%04d.csv', " + number + ")"; };
     CsvFile list(folder + "/frames.csv", {"frame", "t", "file"});
@@ -170,13 +172,18 @@ std::vector<std::string> write_animation(const std::string& folder, const std::s
               << "    if (i == 1) { c1 = c_min; c2 = c_max }\n    c1 = lower(c1, c_min); c2 = upper(c2, c_max)\n";
         s << "}\nroom(a, b) = b > a ? 0.05 * (b - a) : abs(a) > 0 ? 0.05 * abs(a) : 1\n"
           << "set xrange [x1 - room(x1, x2) : x2 + room(x1, x2)]\nset yrange [y1 - room(y1, y2) : y2 + room(y1, y2)]\n"
-          << "set terminal gif animate delay 8 loop 0 size 900,600 enhanced font 'DejaVuSans,14'\nset output " << in_gnuplot(name + ".gif") << "\n"
-          << "set grid lc rgb '#dddddd' lt 1\nunset key\nset xlabel " << in_gnuplot(a.x_label) << "\nset ylabel " << in_gnuplot(a.y_label) << "\n";
+          << "set terminal gif animate delay 8 loop 0 size 900,600 enhanced font 'DejaVuSans,14'\nset output " << in_gnuplot(name + ".gif")
+          << "\n"
+          << "set grid lc rgb '#dddddd' lt 1\nunset key\nset xlabel " << in_gnuplot(a.x_label) << "\nset ylabel " << in_gnuplot(a.y_label)
+          << "\n";
         if (coloured)
-            s << "set size ratio -1\nset cblabel " << in_gnuplot(a.colour_label) << "\nset cbrange [c1 : c2 > c1 ? c2 : c1 + room(c1, c2)]\n"
+            s << "set size ratio -1\nset cblabel " << in_gnuplot(a.colour_label)
+              << "\nset cbrange [c1 : c2 > c1 ? c2 : c1 + room(c1, c2)]\n"
               << "set palette defined (0 '#30123b', 0.5 '#1f9e89', 1 '#fde725')\n";
-        s << "do for [i = 1:n] {\n    set title sprintf('%s, t = %-8.4g', " << in_gnuplot(title) << ", T[i]) noenhanced\n    plot " << file("N[i]")
-          << " using " << xy << (coloured ? ":" + column(a.colour) + " with points pt 7 ps 0.8 lc palette" : " with linespoints pt 7 ps 0.7 lw 2 lc rgb '#c03030'")
+        s << "do for [i = 1:n] {\n    set title " << in_gnuplot(title) << ".sprintf(\"\\nt = %.4g\", T[i]) noenhanced\n    plot "
+          << file("N[i]") << " using " << xy
+          << (coloured ? ":" + column(a.colour) + " with points pt 7 ps 0.8 lc palette"
+                       : " with linespoints pt 7 ps 0.7 lw 2 lc rgb '#c03030'")
           << "\n}\nunset output\n";
     });
     return {list.path(), script};
@@ -184,7 +191,8 @@ std::vector<std::string> write_animation(const std::string& folder, const std::s
 
 std::string draw_figure(const std::string& folder, const std::string& name, const std::string& kind, std::string& why) {
     if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) return why = "gnuplot is not installed (package gnuplot-nox)", "";
-    const std::string command = "cd -- " + in_shell(folder) + " && gnuplot -e \"kind='" + kind + "'\" " + in_shell(name + ".gp") + " >gnuplot.log 2>&1";
+    const std::string command =
+        "cd -- " + in_shell(folder) + " && gnuplot -e \"kind='" + kind + "'\" " + in_shell(name + ".gp") + " >gnuplot.log 2>&1";
     if (std::system(command.c_str()) != 0) return why = "gnuplot failed, see " + folder + "/gnuplot.log", "";
     std::error_code ignored;
     std::filesystem::remove(folder + "/gnuplot.log", ignored);

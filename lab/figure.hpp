@@ -12,10 +12,10 @@ struct Curve {
 struct Panel {
     std::string title, x, x_label, y_label;
     std::vector<Curve> curves;
-    std::string x_range;          // "[a:b]" or ""
-    std::string csv = {};         // where its columns are, if not in the figure's file
-    std::string surface_y = {};   // then the one curve is a height over the columns x and surface_y
-    int surface_rows = 0;         // of the square of points where the height is given
+    std::string x_range;         // "[a:b]" or ""
+    std::string csv = {};        // where its columns are, if not in the figure's file
+    std::string surface_y = {};  // then the one curve is a height over the columns x and surface_y
+    int surface_rows = 0;        // of the square of points where the height is given
 };
 
 /// Writes folder/name.gp, panels row by row from the CSV file `csv` beside it. `gnuplot name.gp` in that folder draws name.png; another
@@ -30,7 +30,7 @@ struct Animated {
 };
 struct Frame {
     long number;
-    double t;  // [time]
+    double t;                  // [time]
     std::string file() const;  // particles_NNNN.csv
 };
 

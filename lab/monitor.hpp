@@ -19,20 +19,22 @@ struct Measures {
     double balance() const { return kinetic + strain + dissipated; }
 };
 
+template <int D, class Point, class Node, class Law> void add_measures(const Matter<D, Point, Node, Law>& body, Measures& sum) {
+    constexpr bool nodes_move = requires(const Node& node) { node.kinetic(); };  // finite elements: nodes hold the kinetic energy
+    if constexpr (nodes_move)
+        for (const Node& node : body.grid) sum.kinetic += node.kinetic();
+    for (const Point& p : body.points) {
+        const double v2 = p.v.squaredNorm();
+        if constexpr (!nodes_move) sum.kinetic += 0.5 * p.m * v2;
+        sum.strain += body.law.energy(p);
+        if constexpr (requires { body.law.dissipated(p); }) sum.dissipated += body.law.dissipated(p);
+        sum.momentum_in_play += p.m * std::sqrt(v2);
+        for (int d = 0; d < D; ++d) sum.momentum[static_cast<std::size_t>(d)] += p.m * p.v[d];
+    }
+}
 template <class Bodies> Measures measure(const Bodies& bodies) {
-    constexpr int D = Bodies::value_type::D;
     Measures sum;
-    Vec<D> mv = Vec<D>::Zero();
-    for (const auto& body : bodies)
-        for (const auto& p : body.points) {
-            const double v2 = p.v.squaredNorm();
-            sum.kinetic += 0.5 * p.m * v2;
-            sum.strain += body.law.energy(p);
-            if constexpr (requires { body.law.dissipated(p); }) sum.dissipated += body.law.dissipated(p);
-            sum.momentum_in_play += p.m * std::sqrt(v2);
-            mv += p.m * p.v;
-        }
-    for (int d = 0; d < D; ++d) sum.momentum[static_cast<std::size_t>(d)] = mv[d];
+    for (const auto& body : bodies) add_measures(body, sum);
     return sum;
 }
 
@@ -50,42 +52,36 @@ struct Trouble {
 };
 
 namespace detail {
-template <class Point> std::string place(std::size_t body, std::size_t i, const Point& p) {
+template <class Point> std::string place(std::size_t i, const Point& p) {
     std::ostringstream s;
-    s << "particle " << i << (body > 0 ? " of body " + std::to_string(body) : std::string()) << " at x = " << p.x.transpose();
+    s << "particle " << i << " at x = " << p.x.transpose();
     return s.str();
 }
 }  // namespace detail
 
 /// The first particle that is turned inside out or not a number. Positions are checked where weights are made.
-template <class Bodies> Trouble check_particles(const Bodies& bodies) {
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-        for (std::size_t i = 0; i < bodies[b].points.size(); ++i) {
-            const auto& p = bodies[b].points[i];
-            if (p.V > 0 && p.V < 1e300) [[likely]]
-                continue;
-            std::ostringstream s;
-            s << detail::place(b, i, p) << " has V/V0 = det F = " << p.V / p.V0;
-            return {std::isfinite(p.V) ? "inverted-particle" : "not-finite", s.str()};
-        }
+template <int D, class Point, class Node, class Law> Trouble check_particles(const Matter<D, Point, Node, Law>& body) {
+    for (std::size_t i = 0; i < body.points.size(); ++i) {
+        const Point& p = body.points[i];
+        if (p.V > 0 && p.V < 1e300) [[likely]]
+            continue;
+        std::ostringstream s;
+        s << detail::place(i, p) << " has V/V0 = det F = " << p.V / p.V0;
+        return {std::isfinite(p.V) ? "inverted-particle" : "not-finite", s.str()};
+    }
     return {};
 }
 
-/// Where a run is liveliest: the fastest particle, its speed, and its det F.
-template <class Bodies> std::string fastest_particle(const Bodies& bodies) {
-    std::string where;
-    double most = -1;
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-        for (std::size_t i = 0; i < bodies[b].points.size(); ++i) {
-            const auto& p = bodies[b].points[i];
-            const double speed = p.v.norm();
-            if (speed <= most) continue;
-            most = speed;
-            std::ostringstream s;
-            s << detail::place(b, i, p) << " is the fastest, |v| = " << speed << ", det F = " << p.V / p.V0;
-            where = s.str();
-        }
-    return where;
+/// Where a body is liveliest: its fastest particle, the speed, and its det F.
+template <int D, class Point, class Node, class Law> std::string fastest_particle(const Matter<D, Point, Node, Law>& body) {
+    std::size_t fastest = 0;
+    for (std::size_t i = 1; i < body.points.size(); ++i)
+        if (body.points[i].v.squaredNorm() > body.points[fastest].v.squaredNorm()) fastest = i;
+    if (body.points.empty()) return "no particles";
+    const Point& p = body.points[fastest];
+    std::ostringstream s;
+    s << detail::place(fastest, p) << " is the fastest, |v| = " << p.v.norm() << ", det F = " << p.V / p.V0;
+    return s.str();
 }
 
 /// Energy that the balance kinetic + strain + dissipated - work cannot account for: growth by more than 5 % of the energy in play.

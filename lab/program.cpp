@@ -49,22 +49,12 @@ void figure(const Description& about, const Common& c, const std::string& folder
     if (c.plot != "gif") add_picture(folder, about.program, c.plot, files);
 }
 
-/// The snapshots of a run and how to animate them; a frame that a stopped run did not reach is not there.
-void animation(const Description& about, const Common& c, const Assembled& a, const RunPlan& plan, const RunResult& r, std::vector<std::string>& files) {
-    if (plan.frames == 0) return;
-    std::vector<Frame> frames{{0, 0}};
-    for (long i = 1; i <= plan.frames; ++i) {
-        Frame frame{i, static_cast<double>(i) * plan.t_end / plan.frames};  // to within a step
-        if (plan.cfl == 0) {
-            const long k = (i * plan.steps + plan.frames - 1) / plan.frames;  // the first step that is at or past the i-th part of the run
-            frame = {k * plan.frames / plan.steps, static_cast<double>(k) * plan.dt};
-        }
-        const bool reached = !r.stopped || frame.t <= r.t;
-        if (reached && frame.number > frames.back().number && fs::exists(plan.folder + "/" + frame.file())) frames.push_back(frame);
-    }
+/// The snapshots of a run and how to animate them.
+void animation(const Description& about, const Common& c, const Assembled& a, const std::string& folder, const RunResult& r, std::vector<std::string>& files) {
+    if (r.frames.empty()) return;
     const std::string name = about.program + "_animation";
-    for (const std::string& path : write_animation(plan.folder, name, about.program + ": " + about.solves, a.animated, frames)) files.push_back(path);
-    if (c.plot == "gif") add_picture(plan.folder, name, c.plot, files);
+    for (const std::string& path : write_animation(folder, name, about.program + ": " + about.solves, a.animated, r.frames)) files.push_back(path);
+    if (c.plot == "gif") add_picture(folder, name, c.plot, files);
 }
 
 /// Events that are legal but should be rare are counted and said.
@@ -211,7 +201,7 @@ int run_program(const Description& about, const Options& options, const Common& 
         for (; first < rows.size(); ++first) summary.row(summary_fields(rows[first]));
         files.insert(files.end(), best.files.begin(), best.files.end());
         figure(about, c, here, files);
-        animation(about, c, a, plan, best, files);
+        animation(about, c, a, here, best, files);
         if (!c.quiet) report(a, best, plan, c.t_end);
         if (best.interrupted) return 130;
     }

@@ -127,6 +127,7 @@ private:
     }
 
     void snapshot(long number) {
+        result_.frames.push_back({number, t_});
         char name[40];
         for (const char* what : {"particles", "nodes"}) {
             std::snprintf(name, sizeof name, "/%s_%04ld.csv", what, number);

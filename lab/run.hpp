@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lab/clock.hpp"
+#include "lab/figure.hpp"
 #include "lab/monitor.hpp"
 
 namespace mpm {
@@ -49,6 +50,7 @@ struct RunResult {
     double energy_drift = 0;                      // change of energy less work, relative to the energy in play
     double momentum_drift = 0;                    // change of momentum less impulse, relative to the sum of m |v|
     bool interrupted = false;
+    std::vector<Frame> frames;  // snapshots written
     std::vector<std::string> files;
     bool ok() const { return !trouble && !interrupted; }
 };

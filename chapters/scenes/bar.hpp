@@ -11,6 +11,7 @@
 #include "chapters/material/hooke.hpp"
 #include "chapters/material/linear_elastic.hpp"
 #include "lab/boundary.hpp"
+#include "lab/fill.hpp"
 #include "lab/norms.hpp"
 #include "lab/options.hpp"
 
@@ -32,6 +33,7 @@ template <bool TotalLagrangian> struct Bar {
 
     double E = 100, rho = 1, length = 25, v0 = 0.1, offset = 0;  // modulus, density, length, amplitude, shift in a cell
     int mode = 1;
+    std::string placing = "mid";  // of particles: in the middles of equal parts of a cell, or "gauss"
 
     void declare(Options& o) {
         o.integer("mode", mode, "-", between(1, 1000), "number of the vibration mode");
@@ -51,6 +53,8 @@ template <bool TotalLagrangian> struct Bar {
     double wave_speed() const { return law().wave_speed(); }
     Law law() const { return {0, E / 2, rho}; }  // lambda + 2 mu = E: uniaxial stress
 
+    Vec<1> initial_velocity(const Vec<1>& X) const { return Vec<1>(v0 * std::sin(beta() * X[0])); }
+
     double cell_size(int cells) const { return length / cells; }
 
     /// A grid from the wall to the free end and, for updated-Lagrangian schemes, as far beyond it as the tip swings (v0/omega).
@@ -61,16 +65,18 @@ template <bool TotalLagrangian> struct Bar {
     }
 
     template <class Point> std::vector<Point> particles(int cells, int ppc) const {
-        std::vector<Point> points(static_cast<std::size_t>(cells) * static_cast<std::size_t>(ppc));
-        const double size = cell_size(cells) / ppc;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            Point& p = points[i];
-            p.X[0] = p.x[0] = (static_cast<double>(i) + 0.5) * size + offset * cell_size(cells);
-            p.V = p.V0 = size;
-            p.m = rho * size;
-            p.v[0] = v0 * std::sin(beta() * p.X[0]);
-        }
-        return points;
+        const CellRule rule = cell_rule(placing, ppc);
+        const double h = cell_size(cells);
+        std::vector<Point> all;
+        for (int cell = 0; cell < cells; ++cell)
+            for (std::size_t q = 0; q < rule.at.size(); ++q) {
+                Point& p = all.emplace_back();
+                p.X[0] = p.x[0] = (cell + rule.at[q]) * h + offset * h;
+                p.V = p.V0 = rule.part[q] * h;
+                p.m = rho * p.V;
+                p.v = initial_velocity(p.X);
+            }
+        return all;
     }
 
     template <class Body> void load(Body&, double) const {}

@@ -43,16 +43,19 @@ inline std::vector<Vec<2>> square_places(int n, double spacing) {
 }
 
 /// A particle as the GIMP functions ask for it: stretched by `stretch` along each axis.
-template <int D> struct Probe {
+template <int D>
+struct Probe {
     Mat<D> F;
 };
 
 /// Weights and gradients of all nodes at x.
-template <int D> struct AtPlace {
+template <int D>
+struct AtPlace {
     std::vector<double> phi;
     std::vector<Vec<D>> grad;
 };
-template <int D, class Shape> AtPlace<D> all_nodes(const Shape& shape, const Probe<D>& p, const Vec<D>& x) {
+template <int D, class Shape>
+AtPlace<D> all_nodes(const Shape& shape, const Probe<D>& p, const Vec<D>& x) {
     const auto n = static_cast<std::size_t>(shape.lattice.size());
     AtPlace<D> a{std::vector<double>(n, 0.0), std::vector<Vec<D>>(n, Vec<D>::Zero())};
     for (const auto& e : shape.at(x, p)) {
@@ -63,7 +66,8 @@ template <int D, class Shape> AtPlace<D> all_nodes(const Shape& shape, const Pro
 }
 
 /// Sums at x, and gradients against central differences a little further on, away from the cell edges where some functions have a kink.
-template <int D, class Shape> void deviate(Deviations& worst, const Shape& shape, const Probe<D>& p, const Vec<D>& x, double aside) {
+template <int D, class Shape>
+void deviate(Deviations& worst, const Shape& shape, const Probe<D>& p, const Vec<D>& x, double aside) {
     const AtPlace<D> here = all_nodes<D>(shape, p, x);
     double sum = -1;
     Vec<D> gradients = Vec<D>::Zero();
@@ -87,7 +91,8 @@ template <int D, class Shape> void deviate(Deviations& worst, const Shape& shape
 }
 
 /// Samples `kernel` on a line and, with `coarse` samples per cell and axis, on a square of cells.
-template <class Kernel> Sampled sample(const Kernel& kernel, double stretch, int cells, int per_cell, int coarse) {
+template <class Kernel>
+Sampled sample(const Kernel& kernel, double stretch, int cells, int per_cell, int coarse) {
     Sampled s;
     s.name = Kernel::name;
     const Tensor<1, Kernel> line{{Vec<1>(0.0), Vec<1>(1.0), {cells}, Kernel::per_cell}, kernel};

@@ -8,6 +8,7 @@
 #include "chapters/weighting/cpgimp.hpp"
 #include "chapters/weighting/cubic.hpp"
 #include "chapters/weighting/hat.hpp"
+#include "chapters/weighting/lagrange.hpp"
 #include "chapters/weighting/quadratic.hpp"
 #include "chapters/weighting/ugimp.hpp"
 
@@ -26,5 +27,16 @@ using AllShapes = ShapeList<Hat, Ugimp, Cpgimp, Quadratic, Cubic, Bernstein>;
 
 /// Those fit for updated-Lagrangian schemes: the review keeps Bernstein functions to total-Lagrangian ones.
 using UpdatedShapes = ShapeList<Hat, Ugimp, Cpgimp, Quadratic, Cubic>;
+
+/// Those of finite elements. Lagrange functions are not among all: with one particle per cell they leave nodes without mass.
+using ElementShapes = ShapeList<Hat, Lagrange2>;
+
+/// Gives a kernel its initial particle size, where it has one.
+template <class Kernel> Kernel sized(int ppc) {
+    Kernel kernel{};
+    if constexpr (requires { kernel.l = 1.0; }) kernel.l = 1.0 / ppc;
+    if constexpr (requires { kernel.l0 = 1.0; }) kernel.l0 = 1.0 / ppc;
+    return kernel;
+}
 
 }  // namespace mpm

@@ -85,7 +85,7 @@ template <class Scheme, int D, class Law, class Kernel> auto vibrating(int cells
     else
         used = shape;
     Grid<D, typename Scheme::template NodeOf<D>> grid(lattice);
-    return std::array{BodyOf<Scheme, D, Law, Kernel>{std::move(points), std::move(grid), law, std::move(used), Flip{}}};
+    return std::array{BodyOf<Scheme, D, Law, Kernel>{{std::move(points), std::move(grid), law}, std::move(used), Flip{}}};
 }
 
 /// The same square for the hand-written kernel.

@@ -18,15 +18,16 @@
 
 namespace mpm::test {
 
-template <int D, class Scheme, class Law, class Kernel = Hat> struct Problem {
+template <int D, class Scheme, class Law, class Kernel = Hat, class Transfer = Flip> struct Problem {
     static constexpr bool total = std::is_same_v<Scheme, Tlmpm>;
     using Moving = Tensor<D, Kernel>;
     using Shape = std::conditional_t<total, Stored<Moving>, Moving>;
-    using Node = typename Scheme::template NodeOf<D>;
-    using BodyType = Body<D, Point<D>, Node, Law, Shape, Flip>;
+    using Point = typename Transfer::template PointOf<mpm::Point<D>>;
+    using Node = typename Transfer::template NodeOf<typename Scheme::template NodeOf<D>>;
+    using BodyType = Body<D, Point, Node, Law, Shape, Transfer>;
 
     Scheme scheme{};
-    Flip transfer{};
+    Transfer transfer{};
     Lattice<D> lattice;
     std::vector<BodyType> bodies;
     Dirichlet held;
@@ -40,11 +41,11 @@ template <int D, class Scheme, class Law, class Kernel = Hat> struct Problem {
         std::array<int, D> all;
         all.fill(grid_cells);
         lattice = Lattice<D>(shift, Vec<D>::Constant(h), all, Kernel::per_cell);
-        std::vector<Point<D>> points;
+        std::vector<Point> points;
         const int n = cells * ppc;
         for (int j = 0; j < (D == 2 ? n : 1); ++j)
             for (int i = 0; i < n; ++i) {
-                Point<D> p;
+                Point p;
                 p.x[0] = corner * h + (i + 0.5) * h / ppc;
                 if constexpr (D == 2) p.x[1] = corner * h + (j + 0.5) * h / ppc;
                 p.x += shift;
@@ -55,17 +56,17 @@ template <int D, class Scheme, class Law, class Kernel = Hat> struct Problem {
             }
         add_points(law, points, ppc);
     }
-    void add_points(const Law& law, const std::vector<Point<D>>& points, int ppc) {
+    void add_points(const Law& law, const std::vector<Point>& points, int ppc) {
         Kernel kernel{};
         if constexpr (requires { kernel.l = 1.0; }) kernel.l = 1.0 / ppc;
         if constexpr (requires { kernel.l0 = 1.0; }) kernel.l0 = 1.0 / ppc;
         const Moving moving{lattice, kernel};
         if constexpr (total)
-            bodies.push_back(BodyType{points, Grid<D, Node>(lattice), law, Shape(moving, points), transfer});
+            bodies.push_back(BodyType{{points, Grid<D, Node>(lattice), law}, Shape(moving, points), transfer});
         else
-            bodies.push_back(BodyType{points, Grid<D, Node>(lattice), law, moving, transfer});
+            bodies.push_back(BodyType{{points, Grid<D, Node>(lattice), law}, moving, transfer});
     }
-    std::vector<Point<D>>& points() { return bodies[0].points; }
+    std::vector<Point>& points() { return bodies[0].points; }
     void run(int steps, double dt) {
         for (int k = 0; k < steps; ++k, t += dt) scheme.step(bodies, Free{}, *this, t, dt);
     }

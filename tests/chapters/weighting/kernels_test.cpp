@@ -186,6 +186,40 @@ TEST(Bernstein, IsTheReviewsTwoForms) {
     }
 }
 
+TEST(Lagrange, IsOneAtItsOwnNodeAndZeroAtTheOthers) {
+    const int cells = 3;
+    const auto shape = unit_shape<Lagrange2>(cells);
+    for (int J = 0; J <= 2 * cells; ++J) {
+        const Dense d = dense(shape, J / 2.0);
+        for (int I = 0; I <= 2 * cells; ++I) EXPECT_EQ(d.phi[static_cast<std::size_t>(I)], I == J ? 1 : 0);
+    }
+}
+
+TEST(Lagrange, ReproducesQuadraticFunctions) {
+    const auto shape = unit_shape<Lagrange2>(4);
+    for (const double xi : places(4, 0)) {
+        const Dense d = dense(shape, xi);
+        double sum = 0, slope = 0;
+        for (std::size_t I = 0; I < d.phi.size(); ++I) {
+            const double x = static_cast<double>(I) / 2;
+            sum += d.phi[I] * x * x;
+            slope += d.grad[I] * x * x;
+        }
+        EXPECT_NEAR(sum, xi * xi, 1e-14);  // three terms of at most 16
+        EXPECT_NEAR(slope, 2 * xi, 2e-13);
+    }
+}
+
+// The slopes of the first element's end: -3, 4, -1 per cell. The lumped mass (the integrals) by Simpson's rule, exact for quadratics.
+TEST(Lagrange, HasSlopesAndMassesOfTheQuadraticElement) {
+    const AxisWeights<3> low = Lagrange2{}(0, 1), middle = Lagrange2{}(0.5, 1), high = Lagrange2{}(1, 1);
+    EXPECT_EQ(low.dphi, (std::array<double, 3>{-3, 4, -1}));
+    EXPECT_EQ(middle.dphi, (std::array<double, 3>{-1, 0, 1}));
+    EXPECT_EQ(high.dphi, (std::array<double, 3>{1, -4, 3}));
+    for (std::size_t I = 0; I < 3; ++I)
+        EXPECT_NEAR((low.phi[I] + 4 * middle.phi[I] + high.phi[I]) / 6, I == 1 ? 4.0 / 6 : 1.0 / 6, 1e-16);
+}
+
 TEST(Hat, TakesTheInnerBranchAtTheUpperEnd) {
     const Dense d = dense(unit_shape<Hat>(3), 3);
     EXPECT_EQ(d.grad[3], 1);
@@ -203,6 +237,7 @@ TEST(Shapes, AreFoundByName) {
         EXPECT_EQ(calls, 1);
         EXPECT_EQ(UpdatedShapes::with(name, [](auto) {}), name != "bernstein");
     }
+    EXPECT_EQ(ElementShapes::names(), (std::vector<std::string>{"hat", "lagrange"}));
     EXPECT_FALSE(AllShapes::with("hats", [](auto) { FAIL(); }));
     EXPECT_FALSE(AllShapes::with("", [](auto) { FAIL(); }));
 }

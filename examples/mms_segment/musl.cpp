@@ -1,0 +1,9 @@
+#include "chapters/explicit/musl.hpp"
+
+#include "examples/mms_segment/segment.hpp"
+
+namespace mpm {
+
+Assembled musl_segment(const SegmentSettings& s, int cells) { return segment<UpdatedShapes, false>(s, Musl{}, s.transfer, cells); }
+
+}  // namespace mpm

@@ -1,0 +1,9 @@
+#include "chapters/explicit/usf.hpp"
+
+#include "examples/mms_segment/segment.hpp"
+
+namespace mpm {
+
+Assembled usf_segment(const SegmentSettings& s, int cells) { return segment<UpdatedShapes, false>(s, Usf{}, s.transfer, cells); }
+
+}  // namespace mpm

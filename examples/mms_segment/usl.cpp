@@ -1,0 +1,9 @@
+#include "chapters/explicit/usl.hpp"
+
+#include "examples/mms_segment/segment.hpp"
+
+namespace mpm {
+
+Assembled usl_segment(const SegmentSettings& s, int cells) { return segment<UpdatedShapes, false>(s, Usl{}, s.transfer, cells); }
+
+}  // namespace mpm

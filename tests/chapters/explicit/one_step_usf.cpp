@@ -1,0 +1,5 @@
+#include "tests/chapters/explicit/one_step.hpp"
+
+namespace mpm::test {
+INSTANTIATE_TYPED_TEST_SUITE_P(usf, OneStep, Usf);
+}
