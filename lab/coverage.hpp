@@ -44,6 +44,7 @@ private:
         std::array<int, 2> low{}, high{};
         const double size = std::pow(p.V0, 1.0 / D);
         for (int d = 0; d < D; ++d) {
+            if (!lattice_.holds(p.x[d], d)) return;  // not a number, or outside: the next step says so
             const auto axis = static_cast<std::size_t>(d);
             const double xi = lattice_.in_cells(p.x[d], d), half = 0.5 * size * p.F.row(d).template lpNorm<1>() * lattice_.per_h()[d] + 0.25;
             const double last = lattice_.cells(d) - 1, own = std::clamp(std::floor(xi), 0.0, last);

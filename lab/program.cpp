@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <new>
 #include <system_error>
 
 #ifndef MPM_LAB_VERSION
@@ -19,7 +20,8 @@ RunPlan plan_of(const Common& c, const Assembled& a, const std::string& folder, 
     RunPlan plan;
     const double wanted = c.dt > 0 ? c.dt : c.cfl * a.critical_dt;
     const double steps = std::ceil(c.t_end / wanted * (1 - 1e-12));
-    if (!(steps < 1e10)) throw BadInput("the time step " + number_text(wanted) + " needs more than 1e10 steps to reach " + number_text(c.t_end));
+    if (!(steps < 1e10))
+        throw BadInput("--t-end or --dt, --cfl: the time step " + number_text(wanted) + " needs more than 1e10 steps to reach " + number_text(c.t_end));
     plan.steps = std::max(1L, static_cast<long>(steps));
     plan.dt = c.t_end / static_cast<double>(plan.steps);  // whole steps: the last one ends at t_end
     plan.t_end = c.t_end;
@@ -107,7 +109,7 @@ void Common::declare(Options& o, const std::vector<std::string>& shapes, double 
 
 std::string run_folder(const std::string& program, const Options& options, const std::string& out, const std::string& label) {
     const std::string name = label.empty() ? options.label() : label;
-    if (name.find('/') != std::string::npos) throw BadInput("--label " + name + ": a name without '/' is allowed");
+    if (name.find('/') != std::string::npos || name == "." || name == "..") throw BadInput("--label " + name + ": the name of a folder is allowed");
     return out.empty() ? "out/" + program + "/" + name : out;
 }
 
@@ -134,32 +136,46 @@ int guarded(const std::string& program, const std::function<int()>& main_body) {
     } catch (const FileTrouble& bad) {
         std::fprintf(stderr, "%s: %s\n", program.c_str(), bad.what());
         return 1;
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "%s: --cells, --ppc: more than fits into memory\n", program.c_str());
+        return 2;
     }
 }
 
-int run_program(const Description& about, const Options& options, const Common& common, const std::function<Assembled(int)>& assemble) {
-    catch_interrupts();
-    Common c = common;
-    if (c.periods > 0) c.t_end = c.periods * about.period;
-    if (c.plot == "gif" && c.frames == 0) c.frames = 50;
-    const std::string folder = run_folder(about.program, options, c.out, c.label);
-    if (!c.quiet) std::printf("%s: %s\n", about.program.c_str(), about.solves.c_str());
-    if (c.dry_run) {
+Common Common::with_period(double period) const {
+    Common c = *this;
+    if (c.periods > 0) c.t_end = c.periods * period;
+    return c;
+}
+
+namespace {
+
+/// One program's run over all resolutions: what every resolution adds to.
+struct Report {
+    const Description& about;
+    const Options& options;
+    Common c;
+    const std::function<Assembled(int)>& assemble;
+    std::string folder = run_folder(about.program, options, c.out, c.label);
+    std::vector<SummaryRow> rows{}, headline{};
+    std::vector<std::string> files{};
+    bool unstable = false;
+
+    /// Looks at every resolution, so that nothing is run if one cannot be.
+    void dry_run(bool say) const {
         for (const int cells : c.cells) {
             const Assembled a = assemble(cells);
             const RunPlan plan = plan_of(c, a, folder, about.columns);
-            std::printf("%d cells: critical step %.4g, dt %.4g, %ld steps, %ld particles, about %.2g s\n", cells, a.critical_dt, plan.dt, plan.steps,
-                        a.row.particles, 1e-7 * static_cast<double>(plan.steps) * static_cast<double>(a.row.particles));
+            if (!say) continue;
+            const double particle_steps = static_cast<double>(plan.steps) * static_cast<double>(a.row.particles);
+            std::printf("%d cells: wave and particle speed allow dt = %.4g; dt = %.4g, %ld steps, %ld particles, about %.2g MB and %.2g s\n", cells,
+                        a.critical_dt, plan.dt, plan.steps, a.row.particles, 5 + 2e-6 * static_cast<double>(a.row.particles * a.row.bytes_per_particle),
+                        5e-8 * a.row.dim * particle_steps);
         }
-        return 0;
     }
-    make_folder(folder);
-    write_file(folder + "/run.ini", options.ini());
-    CsvFile summary(folder + "/summary.csv", summary_columns());
-    std::vector<std::string> files{folder + "/run.ini", summary.path()};
-    std::vector<SummaryRow> rows, headline;
-    bool unstable = false;
-    for (const int cells : c.cells) {
+
+    /// Runs one resolution, the fastest of --repeat, and writes what belongs to it. Returns whether it was interrupted.
+    bool resolution(int cells, CsvFile& summary) {
         const std::string here = c.cells.size() > 1 ? folder + "/cells-" + std::to_string(cells) : folder;
         make_folder(here);
         RunResult best;
@@ -174,44 +190,71 @@ int run_program(const Description& about, const Options& options, const Common& 
             if (r.interrupted) break;
         }
         unstable = unstable || best.trouble;
+        summarise(a, plan, best, summary);
+        files.insert(files.end(), best.files.begin(), best.files.end());
+        figure(about, c, here, files);
+        animation(about, c, a, here, best, files);
+        if (!c.quiet) report(a, best, plan, c.t_end);
+        return best.interrupted;
+    }
+
+    void summarise(const Assembled& a, const RunPlan& plan, const RunResult& r, CsvFile& summary) {
         SummaryRow row = a.row;
         row.program = about.program;
         row.options = options.changed();
         row.dt = plan.dt;
         row.cfl = plan.dt / a.critical_dt;
-        row.steps = best.steps;
+        row.steps = r.steps;
         row.t_end = c.t_end;
-        row.energy_drift = best.energy_drift;
-        row.momentum_drift = best.momentum_drift;
-        row.wall_s = best.wall;
-        row.cpu_s = best.cpu;
-        row.ns_per_particle_step = 1e9 * best.wall / static_cast<double>(std::max(1L, best.steps)) / static_cast<double>(row.particles);
+        row.energy_drift = r.energy_drift;
+        row.momentum_drift = r.momentum_drift;
+        row.wall_s = r.wall;
+        row.cpu_s = r.cpu;
+        row.ns_per_particle_step = 1e9 * r.wall / static_cast<double>(std::max(1L, r.steps)) / static_cast<double>(row.particles);
         row.peak_rss_kb = peak_memory_kb();
-        row.verdict = best.trouble ? "unstable:" + best.trouble.cause : best.interrupted ? "interrupted" : "ok";
-        row.t_fail = best.trouble ? best.t_fail : nan;
-        row.reason = best.trouble.reason;
-        std::size_t first = rows.size();
+        row.verdict = r.trouble ? "unstable:" + r.trouble.cause : r.interrupted ? "interrupted" : "ok";
+        row.t_fail = r.trouble ? r.t_fail : nan;
+        row.reason = r.trouble.reason;
+        const std::size_t first = rows.size();
         for (const NamedError& e : a.errors(c.t_end)) {
             row.error_name = e.name;
-            row.error = best.stopped ? nan : e.value;
+            row.error = r.stopped ? nan : e.value;
             rows.push_back(row);
         }
         fill_orders(rows);
         headline.push_back(rows[first]);
-        for (; first < rows.size(); ++first) summary.row(summary_fields(rows[first]));
-        files.insert(files.end(), best.files.begin(), best.files.end());
-        figure(about, c, here, files);
-        animation(about, c, a, here, best, files);
-        if (!c.quiet) report(a, best, plan, c.t_end);
-        if (best.interrupted) return 130;
+        for (std::size_t i = first; i < rows.size(); ++i) summary.row(summary_fields(rows[i]));
     }
-    if (!c.quiet) {
-        if (c.cells.size() > 1) std::fputs(error_table(headline).c_str(), stdout);
-        std::printf("written:");
-        for (const std::string& f : files) std::printf(" %s", f.c_str());
-        std::printf("\n");
+
+    int all() {
+        dry_run(false);
+        if (!c.quiet) std::printf("%s: %s\n", about.program.c_str(), about.solves.c_str());
+        make_folder(folder);
+        write_file(folder + "/run.ini", "# MPM Lab " MPM_LAB_VERSION "\n" + options.ini());
+        CsvFile summary(folder + "/summary.csv", summary_columns());
+        files = {folder + "/run.ini", summary.path()};
+        for (const int cells : c.cells)
+            if (resolution(cells, summary)) return 130;
+        if (!c.quiet) {
+            if (c.cells.size() > 1) std::fputs(error_table(headline).c_str(), stdout);
+            std::printf("written:");
+            for (const std::string& f : files) std::printf(" %s", f.c_str());
+            std::printf("\n");
+        }
+        return unstable ? 3 : 0;
     }
-    return unstable ? 3 : 0;
+};
+
+}  // namespace
+
+int run_program(const Description& about, const Options& options, const Common& common, const std::function<Assembled(int)>& assemble) {
+    catch_interrupts();
+    Common c = common;
+    if (c.plot == "gif" && c.frames == 0) c.frames = 50;
+    Report report{about, options, c, assemble};
+    if (!c.dry_run) return report.all();
+    report.dry_run(true);
+    return 0;
 }
 
 }  // namespace mpm

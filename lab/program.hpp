@@ -27,6 +27,8 @@ struct Common {
     bool quiet = false, dry_run = false;
 
     void declare(Options& o, const std::vector<std::string>& shapes, double default_t_end);
+    /// The same with t_end made of --periods, if given.
+    Common with_period(double period) const;
 };
 
 /// What a program needs of one assembled resolution besides the loop's view of it.
@@ -44,7 +46,7 @@ struct Assembled {
 struct Description {
     std::string program, purpose, scene, solves;
     std::vector<std::string> columns;
-    double period = 0;
+    double period = 0;  // [time]; the history's figure shows ten
 };
 
 /// Runs every resolution and writes everything; returns the exit code.

@@ -25,17 +25,17 @@ int bar_program(const std::string& program, const std::string& purpose, Scheme& 
         if (declare) declare(options);
         options.parse(argc, argv);
         if (answered(options, program)) return 0;
-        choice.check(options, common.ppc);
+        choice.check(common.ppc);
         const Description about{program, purpose, bar.name, bar.solves, {bar.columns.begin(), bar.columns.end()}, bar.period()};
-        if (common.periods > 0) common.t_end = common.periods * bar.period();
-        return run_program(about, options, common, [&](int cells) {
+        const Common chosen = common.with_period(bar.period());
+        return run_program(about, options, chosen, [&](int cells) {
             Assembled a;
             choice.with<TotalLagrangian>([&](const auto& transfer) {
                 Shapes::with(common.shape, [&](auto kernel) {
                     using Kernel = decltype(kernel);
                     using Moving = Tensor<1, Kernel>;
                     using Shape = std::conditional_t<TotalLagrangian, Stored<Moving>, Moving>;
-                    a = assemble<Shape>(scheme, bar, transfer, cells, common, [&](const auto& lattice, const auto& points) {
+                    a = assemble<Shape>(scheme, bar, transfer, cells, chosen, [&](const auto& lattice, const auto& points) {
                         const Moving moving{lattice, sized<Kernel>(common.ppc)};
                         if constexpr (TotalLagrangian) return Shape(moving, points);
                         else return moving;

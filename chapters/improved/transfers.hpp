@@ -24,10 +24,10 @@ struct TransferChoice {
     }
 
     /// Refuses what means nothing or cannot work. Throws BadInput.
-    void check(const Options& o, int ppc) const {
+    void check(int ppc) const {
         const bool series = name == "xpic" || name == "fmpm", mix = name == "flip" || name == "consistent";
-        if (o.given("order") && !series) throw BadInput("--order: only --transfer xpic and fmpm have terms of a series, not " + name);
-        if (o.given("alpha") && !mix) throw BadInput("--alpha: only --transfer flip and consistent mix FLIP and PIC, not " + name);
+        if (order != 2 && !series) throw BadInput("--order: only --transfer xpic and fmpm have terms of a series, not " + name);
+        if (alpha != 1 && !mix) throw BadInput("--alpha: only --transfer flip and consistent mix FLIP and PIC, not " + name);
         if (name == "consistent" && ppc < 2)
             throw BadInput("--transfer consistent with --ppc 1: the mass matrix is singular with one particle per cell; allowed with --ppc 2 and more");
     }

@@ -59,8 +59,9 @@ template <bool TotalLagrangian> struct Bar {
 
     /// A grid from the wall to the free end and, for updated-Lagrangian schemes, as far beyond it as the tip swings (v0/omega).
     Lattice<1> lattice(int cells, int per_cell) const {
-        const double h = cell_size(cells);
-        const int pad = TotalLagrangian ? 0 : 2 + static_cast<int>(std::ceil(1.5 * v0 / omega() / h));
+        const double h = cell_size(cells), swing = TotalLagrangian ? 0 : std::ceil(1.5 * v0 / omega() / h);
+        if (!(swing < 1e7)) throw BadInput("--v0: the tip swings over " + std::to_string(swing) + " cells, at most 1e7 are allowed");
+        const int pad = TotalLagrangian ? 0 : 2 + static_cast<int>(swing);
         return {Vec<1>(0), Vec<1>(h), {cells + pad}, per_cell};
     }
 

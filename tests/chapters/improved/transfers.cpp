@@ -172,7 +172,7 @@ TEST(Choice, RefusesWhatCannotWork) {
         words.insert(words.begin(), "p");
         o.parse(static_cast<int>(words.size()), words.data());
         try {
-            choice.check(o, 1);
+            choice.check(1);
         } catch (const BadInput& bad) {
             return std::string(bad.what());
         }
