@@ -41,8 +41,8 @@ CsvTable parse_csv(std::string_view text, const std::string& name) {
         if (table.columns.empty()) {
             table.columns = std::move(row);
         } else if (row.size() != table.columns.size()) {
-            throw FileTrouble(name + ": row " + std::to_string(table.rows.size() + 1) + " has " + std::to_string(row.size()) + " fields, the header " +
-                              std::to_string(table.columns.size()));
+            throw FileTrouble(name + ": row " + std::to_string(table.rows.size() + 1) + " has " + std::to_string(row.size()) +
+                              " fields, the header " + std::to_string(table.columns.size()));
         } else {
             table.rows.push_back(std::move(row));
         }
@@ -51,12 +51,18 @@ CsvTable parse_csv(std::string_view text, const std::string& name) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         const char next = i + 1 < text.size() ? text[i + 1] : '\0';
-        if (c == '"' && quoted && next == '"') field += text[++i];
-        else if (c == '"') quoted = !quoted;
-        else if (quoted) field += c;
-        else if (c == ',') row.push_back(std::exchange(field, {}));
-        else if (c == '\n') end_row();
-        else if (c != '\r' || next != '\n') field += c;
+        if (c == '"' && quoted && next == '"')
+            field += text[++i];
+        else if (c == '"')
+            quoted = !quoted;
+        else if (quoted)
+            field += c;
+        else if (c == ',')
+            row.push_back(std::exchange(field, {}));
+        else if (c == '\n')
+            end_row();
+        else if (c != '\r' || next != '\n')
+            field += c;
     }
     return table;
 }

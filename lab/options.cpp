@@ -65,9 +65,13 @@ struct Options::Impl {
         if (read_value(e, value_text(e.standard)) != e.standard) throw std::logic_error("default of option " + e.name + " is not allowed");
         entries.push_back(std::move(e));
     }
-    bool contradicted(const std::string& name) const {
-        const auto names_it = [&](const auto& pair) { return pair.first == name || pair.second == name; };
-        return std::any_of(contradictions.begin(), contradictions.end(), names_it);
+    bool given(const std::string& name) const {
+        return std::any_of(entries.begin(), entries.end(), [&](const Entry& e) { return e.name == name && e.given; });
+    }
+    /// Of a contradicting pair the second is in use unless the first was given.
+    bool idle(const Entry& e) const {
+        return std::any_of(contradictions.begin(), contradictions.end(),
+                           [&](const auto& pair) { return (pair.first == e.name && !e.given) || (pair.second == e.name && given(pair.first)); });
     }
 };
 
@@ -102,7 +106,11 @@ void Options::parse(int argc, const char* const* argv) {
     for (const Entry& e : impl_->entries)
         if (e.kind == Kind::flag) flags.push_back(e.name);
 
-    std::map<std::string, Value> staged;
+    struct Staged {
+        Value value;
+        bool in_command;
+    };
+    std::map<std::string, Staged> staged;
     for (const Setting& s : read_settings(argc, argv, impl_->names(), flags)) {
         if (holds(always, s.name)) {
             asked.push_back(s.name);
@@ -111,14 +119,17 @@ void Options::parse(int argc, const char* const* argv) {
         const Entry& e = impl_->entry(s.name);
         auto value = read_value(e, s.raw);
         if (!value) throw BadInput(refusal(e, s.who, s.raw));
-        staged[s.name] = *std::move(value);
+        staged[s.name] = {*std::move(value), s.who.compare(0, 2, "--") == 0};
     }
-    for (const auto& [a, b] : impl_->contradictions)
-        if (staged.count(a) + staged.count(b) == 2) throw BadInput("--" + a + " and --" + b + " cannot be given together");
+    for (const auto& [a, b] : impl_->contradictions) {
+        if (staged.count(a) + staged.count(b) < 2) continue;
+        if (staged[a].in_command == staged[b].in_command) throw BadInput("--" + a + " and --" + b + " cannot be given together");
+        staged.erase(staged[a].in_command ? b : a);
+    }
 
     for (Entry& e : impl_->entries) {
         e.given = staged.count(e.name) > 0;
-        if (e.given) e.commit(staged[e.name]);
+        if (e.given) e.commit(staged[e.name].value);
     }
     impl_->asked = std::move(asked);
 }
@@ -189,7 +200,7 @@ std::string Options::describe() const {
 std::string Options::ini() const {
     std::string text = "# " + one_line(impl_->program) + ": " + one_line(impl_->purpose, 1000) + "\n# Settings that --config reads.\n";
     for (const Entry& e : impl_->entries) {
-        const bool idle = !e.given && impl_->contradicted(e.name);  // written out, it would contradict the one in use
+        const bool idle = impl_->idle(e);  // written out, it would contradict the one in use
         if (idle) text += "# ";
         text += e.name + " = " + quoted(value_text(e.value())) + '\n';
     }

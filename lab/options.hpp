@@ -44,7 +44,7 @@ public:
     void choice(const std::string& name, std::string& value, const std::vector<std::string>& allowed, const std::string& help);
     void text(const std::string& name, std::string& value, const std::string& help);
     void flag(const std::string& name, bool& value, const std::string& help);
-    /// Two options that cannot be given together.
+    /// Two options that cannot be given together; b is in use unless a is given. A command line's a puts a config file's b out of use.
     void contradict(const std::string& a, const std::string& b);
     /// Leaves an option out of `label` and `changed` (where files go, how much is printed).
     void unlabelled(const std::string& name);

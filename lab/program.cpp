@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <limits>
 #include <new>
+#include <stdexcept>
 #include <system_error>
 
 #ifndef MPM_LAB_VERSION
@@ -127,6 +128,11 @@ bool answered(const Options& options, const std::string& program) {
     return true;
 }
 
+static int too_large(const std::string& program) {
+    std::fprintf(stderr, "%s: --cells, --ppc: the grid or the particles do not fit into memory\n", program.c_str());
+    return 2;
+}
+
 int guarded(const std::string& program, const std::function<int()>& main_body) {
     try {
         return main_body();
@@ -137,8 +143,9 @@ int guarded(const std::string& program, const std::function<int()>& main_body) {
         std::fprintf(stderr, "%s: %s\n", program.c_str(), bad.what());
         return 1;
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "%s: --cells, --ppc: more than fits into memory\n", program.c_str());
-        return 2;
+        return too_large(program);
+    } catch (const std::length_error&) {
+        return too_large(program);
     }
 }
 
@@ -185,7 +192,7 @@ struct Report {
             Assembled fresh = assemble(cells);
             plan = plan_of(c, fresh, here, about.columns);
             RunResult r = run(fresh.simulation, plan);
-            if (i == 0 || r.wall < best.wall) best = r;
+            if (i == 0 || r.interrupted || r.wall < best.wall) best = r;
             a = std::move(fresh);
             if (r.interrupted) break;
         }

@@ -29,7 +29,7 @@ std::vector<std::string> history_columns(const RunPlan& plan) {
 class Runner {
 public:
     Runner(Simulation& sim, const RunPlan& plan)
-        : sim_(sim), plan_(plan), records_(std::clamp<long>(plan.records, 1, plan.steps)), history_(plan.folder + "/history.csv", history_columns(plan)) {
+        : sim_(sim), plan_(plan), records_(std::clamp<long>(plan.records, 1, plan.steps)), history_(plan.folder + "/history.csv", history_columns(plan)), energy_(step_ratio()) {
         result_.files.push_back(history_.path());
     }
 
@@ -103,14 +103,18 @@ private:
     void records() {
         sim_.sample(t_, sim_.wants_energy(t_) ? sim_.measure().total() : std::nan(""));
         const long step = result_.steps;
-        if (part(records_, step, t_) != part(records_, step - 1, t_ - dt_)) {
+        const bool is_record = part(records_, step, t_) != part(records_, step - 1, t_ - dt_);
+        if (is_record || energy_.suspicious()) {
             now_ = sim_.measure();
             so_far_ = supplied_;
-            record();
-            const Trouble growth = energy_.check(now_, so_far_.work), gap = sim_.inspect();
-            if (!growth && !gap) sim_.keep();
+            const Trouble growth = energy_.check(now_, so_far_.work);
+            if (is_record) {
+                record();
+                const Trouble gap = sim_.inspect();
+                if (!growth && !gap && !energy_.suspicious()) sim_.keep();
+                note(gap);
+            }
             note(growth);
-            note(gap);
         }
         const long frame = plan_.frames > 0 ? part(plan_.frames, step, t_) : 0;
         if (frame != (plan_.frames > 0 ? part(plan_.frames, step - 1, t_ - dt_) : 0)) snapshot(frame);
@@ -154,13 +158,14 @@ private:
             trouble.reason += "; the energy had grown by " + percent(energy_.growth()) + " of that in play";
             trouble.cause = "energy-growth";
         }
-        const double ratio = plan_.cfl > 0 ? plan_.cfl : plan_.dt / plan_.critical_dt;
+        const double ratio = step_ratio();
         char text[120];
         std::snprintf(text, sizeof text,
                       ratio > 1 ? "; likely cause: the time step is %.3g times h/(c + |v|)" : "; the time step is %.3g of h/(c + |v|), so look at the scheme",
                       ratio);
         if (trouble.cause != "numerical-fracture") trouble.reason += text;
     }
+    double step_ratio() const { return plan_.cfl > 0 ? plan_.cfl : plan_.dt / plan_.critical_dt; }
     static std::string percent(double part) {
         char text[32];
         std::snprintf(text, sizeof text, "%.3g %%", 100 * part);

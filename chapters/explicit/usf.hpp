@@ -24,8 +24,8 @@ struct Usf {
                     node.mv += phi * p.m * body.transfer.velocity(p, node);               // 4
                 }
             });
-            const auto fix = [&](auto field) { scene.fix(body.grid, field, t + dt); };
-            scene.fix(body.grid, &Node::mv, t);
+            const auto fix = [&](auto field) { scene.fix(body.grid, field, t); };
+            fix(&Node::mv);
             for (auto& node : body.grid) node.mv_new = node.mv;
             body.transfer.mapped_velocities(body, fix);                                   // 5
             scatter(body, [&](auto& p, const auto& weights) {

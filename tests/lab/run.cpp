@@ -76,10 +76,10 @@ TEST_F(Run, AVanishingStepIsNamed) {
 }
 
 TEST_F(Run, GrowingEnergyIsNamedWithTimePlaceAndNumber) {
-    sim.step = [this](double, double) { energy *= 1.02; };
+    sim.step = [this](double, double) { energy *= 1.2; };
     const RunResult r = run(sim, plan);
     EXPECT_EQ(r.trouble.cause, "energy-growth");
-    EXPECT_NEAR(r.t_fail, 0.4, 1e-12);  // 1.02^4 = 1.082 of the record after 1.04
+    EXPECT_NEAR(r.t_fail, 0.2, 1e-12);  // 1.2^2 = 1.44: 0.31 of the energy in play is new, beyond 0.05 + 2 dt/critical
     EXPECT_NE(r.trouble.reason.find("particle 7"), std::string::npos);
     EXPECT_NE(r.trouble.reason.find("h/(c + |v|)"), std::string::npos);
     EXPECT_TRUE(std::filesystem::exists(plan.folder + "/particles_last_good.csv"));
@@ -94,9 +94,22 @@ TEST_F(Run, EnergyThatWorkExplainsIsNoTrouble) {
 }
 
 TEST_F(Run, EnergyThatWorkDoesNotExplainIsTrouble) {
-    sim.step = [this](double, double) { energy += 1.2; };
+    sim.step = [this](double, double) { energy += 3; };
     sim.supply = [](double, double) { return Supply{{0, 0}, 1}; };
     EXPECT_EQ(run(sim, plan).trouble.cause, "energy-growth");
+}
+
+TEST_F(Run, EnergyThatSwingsIsNoTrouble) {
+    plan.steps = 1000, plan.dt = plan.critical_dt = 1e-3;
+    sim.step = [this](double t, double dt) { energy = 1.1 + 0.1 * std::sin(2 * 3.14159 * (t / dt) / 63); };  // as a stable leapfrog's with 126 steps a period
+    EXPECT_TRUE(run(sim, plan).ok());
+}
+TEST_F(Run, EnergyThatStaysHighIsTrouble) {
+    plan.steps = 1000, plan.dt = plan.critical_dt = 1e-3;
+    sim.step = [this](double t, double) { energy = t > 0.5 ? 1.1 : 1; };
+    const RunResult r = run(sim, plan);
+    EXPECT_EQ(r.trouble.cause, "energy-growth");
+    EXPECT_NEAR(r.t_fail, 0.664, 2e-3);  // a record every 200 steps, then the watch's patience
 }
 
 TEST_F(Run, LostEnergyIsReportedAndNotStopped) {
