@@ -52,6 +52,17 @@ TEST(Unstable, UslOnAFineGridReportsItsEnergyGrowth) {
     EXPECT_EQ(folder.run("usl_bar", {"--cells", "100", "--out", "run"}).code, 3);
     EXPECT_EQ(field(csv(folder.read("run/summary.csv")), 1, "verdict"), "unstable:energy-growth");
 }
+// A particle 1e-12 h from a node: legal, and said. The cut-off takes that node's velocity away, which strains the particle at once.
+TEST(TinyNodalMass, IsReported) {
+    for (const char* program : {"musl_bar", "usl_bar", "usf_bar"}) {
+        const Ending ending = Folder().run(program, {"--offset", "-0.499999999999", "--t-end", "5"});
+        EXPECT_EQ(ending.code, 0);
+        EXPECT_TRUE(holds(ending.out, "smallest nodal mass")) << ending.out;
+    }
+    const Ending cut = Folder().run("usl_bar", {"--offset", "-0.499999999999", "--t-end", "5", "--cutoff", "1e-8"});
+    EXPECT_EQ(cut.code, 3);
+    EXPECT_TRUE(holds(cut.out, "left out by the mass cut-off")) << cut.out;
+}
 TEST(Unstable, RunGoesOnWhenOnlyWarned) {
     const Folder folder;
     const Words words{"--cells", "100", "--ppc", "2", "--t-end", "80", "--out"};  // USL: energy grows from t = 71, slowly
