@@ -32,8 +32,8 @@ void check(const Options& options, SegmentSettings& s, const Choice& choice) {
         for (const std::string& name : choice.shapes) names += (names.empty() ? "" : ", ") + name;
         throw BadInput(shape + ": allowed with " + scheme + ": " + names);
     }
-    if (options.given("formulation") && !elements) throw BadInput("--formulation: only --scheme fem has one, not " + s.scheme);
-    if (options.given("alpha") && elements) throw BadInput("--alpha: --scheme fem has no particles to carry velocities");
+    if (s.formulation != "total" && !elements) throw BadInput("--formulation: only --scheme fem has one, not " + s.scheme);
+    if (s.transfer.alpha != 1 && elements) throw BadInput("--alpha: --scheme fem has no particles to carry velocities");
     if (elements && options.given("points") && s.scene.placing != "gauss") throw BadInput("--points mid: " + scheme + " has Gauss points");
     if (elements) s.scene.placing = "gauss";
     if (gimp && s.scene.placing == "gauss" && s.common.ppc > 2)
@@ -51,7 +51,6 @@ int run(int argc, char** argv) {
     shapes.emplace_back(Lagrange2::name);
     s.common.cells = {64};
     s.common.cfl = 0.2;
-    s.common.periods = 1;
     options.choice("scheme", s.scheme, schemes, "method");
     options.choice("formulation", s.formulation, {"total", "updated"}, "of --scheme fem: on the initial configuration or the moved mesh");
     s.scene.declare(options);
@@ -59,12 +58,14 @@ int run(int argc, char** argv) {
     s.common.declare(options, shapes, s.scene.period());
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
-    if (options.given("t-end")) s.common.periods = 0;
     const Choice& choice = *std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.name == s.scheme; });
     check(options, s, choice);
     const auto& scene = s.scene;
+    if (!options.given("t-end")) s.common.t_end = scene.period();  // one period of this motion, not of the default one
+    SegmentSettings chosen = s;
+    chosen.common = s.common.with_period(scene.period());
     const Description about{program, purpose, scene.name, scene.solves, {scene.columns.begin(), scene.columns.end()}, scene.period()};
-    return run_program(about, options, s.common, [&](int cells) { return choice.assemble(s, cells); });
+    return run_program(about, options, chosen.common, [&](int cells) { return choice.assemble(chosen, cells); });
 }
 
 }  // namespace

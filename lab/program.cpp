@@ -142,6 +142,9 @@ int guarded(const std::string& program, const std::function<int()>& main_body) {
     } catch (const FileTrouble& bad) {
         std::fprintf(stderr, "%s: %s\n", program.c_str(), bad.what());
         return 1;
+    } catch (const OutsideGrid& outside) {  // before the first step: the scene puts a particle there
+        std::fprintf(stderr, "%s: a particle starts outside the grid: %s\n", program.c_str(), outside.what());
+        return 2;
     } catch (const std::bad_alloc&) {
         return too_large(program);
     } catch (const std::length_error&) {

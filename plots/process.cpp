@@ -88,8 +88,10 @@ double Process::age() const { return std::chrono::duration<double>(std::chrono::
 
 Ending Process::ending(int status, double cpu, long peak) const {
     Ending e;
-    if (WIFSIGNALED(status)) e.signal = WTERMSIG(status);
-    else e.code = WEXITSTATUS(status);
+    if (WIFSIGNALED(status))
+        e.signal = WTERMSIG(status);
+    else
+        e.code = WEXITSTATUS(status);
     e.timed_out = timed_out_;
     e.wall_s = age();
     e.cpu_s = cpu;

@@ -22,7 +22,7 @@ struct Ending {
     int code = 0, signal = 0;  // exit code; the signal that killed it, or 0
     bool timed_out = false, stopped = false;
     double wall_s = 0, cpu_s = 0;
-    long peak_rss_kb = 0;
+    long peak_rss_kb = 0;  // at least what its parent had allocated when it started, so parents should stay small
     bool usable() const { return signal == 0 && !timed_out && (code == 0 || code == 3); }  // 3: unstable, which is a result
     std::string trouble() const;  // "" if usable, else "failed:exit 1", "failed:signal 9", "failed:timeout"
 };

@@ -1,9 +1,10 @@
 /// How far a sweep has come and how long it will take, on a terminal.
 #pragma once
+#include <unistd.h>
+
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <unistd.h>
 #include <vector>
 
 #include "plots/sweep.hpp"
@@ -33,7 +34,8 @@ public:
         last_ = Clock::now();
         drawn_ = true;
         char text[160];
-        int n = std::snprintf(text, sizeof text, "%zu of %zu runs, now %s, %d cells, %.0f s", ended_, runs_, running->name.c_str(), running->cells, seconds(start_));
+        int n = std::snprintf(text, sizeof text, "%zu of %zu runs, now %s, %d cells, %.0f s", ended_, runs_, running->name.c_str(),
+                              running->cells, seconds(start_));
         if (done_ > 0 && n < 130) {
             const double expected = left_ * passed_ / done_ - (seconds(start_) - passed_);
             std::snprintf(text + n, sizeof text - static_cast<std::size_t>(n), ", about %.0f s left", std::fmax(0, expected));

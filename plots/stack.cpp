@@ -12,7 +12,8 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-template <class... Values> std::string text(const char* format, Values... values) {
+template <class... Values>
+std::string text(const char* format, Values... values) {
     char line[400];
     std::snprintf(line, sizeof line, format, values...);
     return line;
@@ -26,7 +27,8 @@ void fill_orders(std::vector<StackedRow>& rows, std::size_t first, std::size_t l
     for (std::size_t i = first; i < last; ++i) rows[i].row = own[i - first];
 }
 
-std::string level_text(double level) { return level >= 1e-3 ? text("%g %%", 100 * level) : text("%.0e", level); }
+/// 1 %, 0.1 %, 1e-4 ...
+std::string level_text(int decade) { return decade >= -3 ? text("%g %%", 100 * std::pow(10, decade)) : text("1e%d", decade); }
 
 }  // namespace
 
@@ -47,13 +49,12 @@ std::vector<StackedRow> stack(const std::string& folder, const std::vector<Run>&
 }
 
 void write_stack(const std::string& path, const std::vector<StackedRow>& rows) {
-    std::string lines;
-    const auto add = [&](const std::vector<std::string>& fields) {
-        for (std::size_t i = 0; i < fields.size(); ++i) lines += (i > 0 ? "," : "") + csv_field(fields[i]);
-        lines += '\n';
+    const auto line = [](std::vector<std::string> fields) {
+        for (std::string& field : fields) field = csv_field(field);
+        return joined(fields, ",") + "\n";
     };
-    add(summary_columns());
-    for (const StackedRow& r : rows) add(summary_fields(r.row));
+    std::string lines = line(summary_columns());
+    for (const StackedRow& r : rows) lines += line(summary_fields(r.row));
     write_file(path, lines);
 }
 
@@ -64,7 +65,8 @@ bool all_well(const std::vector<StackedRow>& rows) {
 std::vector<std::string> error_names(const std::vector<StackedRow>& rows) {
     std::vector<std::string> names;
     for (const StackedRow& r : rows)
-        if (r.row.error_name != "none" && std::find(names.begin(), names.end(), r.row.error_name) == names.end()) names.push_back(r.row.error_name);
+        if (r.row.error_name != "none" && std::find(names.begin(), names.end(), r.row.error_name) == names.end())
+            names.push_back(r.row.error_name);
     return names;
 }
 
@@ -95,8 +97,8 @@ std::vector<Series> series(const std::vector<Run>& runs, const std::vector<Stack
             if (r.variant == run.variant && r.row.cells == run.cells && (found == nullptr || r.row.error_name == error)) found = &r.row;
         if (found == nullptr) continue;
         const bool has = found->error_name == error;
-        all[variant].results.push_back({run.cells, found->h, has ? found->error : nan, has ? found->order : nan, found->wall_s, found->peak_rss_kb,
-                                        found->verdict, found->reason, run.folder});
+        all[variant].results.push_back({run.cells, found->h, has ? found->error : nan, has ? found->order : nan, found->wall_s,
+                                        found->peak_rss_kb, found->verdict, found->reason, run.program, run.folder});
     }
     return all;
 }
@@ -134,12 +136,16 @@ std::string reached_lines(const std::vector<Series>& all) {
     std::string lines;
     for (const Series& s : all) {
         std::string line;
-        for (int decade = -2; decade >= -12; --decade) {
-            const double level = std::pow(10, decade);
-            if (const Result* r = s.reached(level))
-                line += (line.empty() ? " reached " : ", ") + level_text(level) + text(" in %.3g s (%d cells)", r->seconds, r->cells);
+        for (int decade = -2, last = -2; decade >= -12; decade = last - 1) {
+            const Result* r = s.reached(std::pow(10, decade));
+            if (r == nullptr) break;
+            for (last = decade; last > -12 && s.reached(std::pow(10, last - 1)) == r;) --last;  // one run may be good for several
+            line += (line.empty() ? " reached " : ", ") + level_text(decade);
+            if (last < decade) line += (last == decade - 1 ? " and " : " ... ") + level_text(last);
+            line += text(" in %.3g s (%d cells)", r->seconds, r->cells);
         }
-        if (line.empty()) line = s.reached(std::numeric_limits<double>::infinity()) == nullptr ? ": no error to speak of" : " did not reach 1 %";
+        if (line.empty())
+            line = s.reached(std::numeric_limits<double>::infinity()) == nullptr ? ": no error to speak of" : " did not reach 1 %";
         lines += s.name + line + "\n";
     }
     return lines;

@@ -27,14 +27,14 @@ struct Result {
     double h = 0, error = 0, order = 0, seconds = 0;
     long memory_kb = 0;
     std::string verdict, reason;
-    std::string folder;  // below that of the sweep
+    std::string program, folder;  // folder: below that of the sweep
     bool ok() const { return verdict == "ok"; }
     bool fits() const;  // has an error that a logarithm can be taken of
 };
 struct Series {
     std::string name;
-    std::vector<Result> results;  // in the order of the sweep
-    double order() const;         // fitted to those that fit; nan with fewer than two
+    std::vector<Result> results;                // in the order of the sweep
+    double order() const;                       // fitted to those that fit; nan with fewer than two
     const Result* reached(double error) const;  // the fastest that is as good, if any
 };
 std::vector<Series> series(const std::vector<Run>& runs, const std::vector<StackedRow>& rows, const std::string& error);

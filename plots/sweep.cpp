@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <list>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 #include "lab/options.hpp"
@@ -41,6 +43,13 @@ void prepare(const Files& files, const Run& run) {
     write_file(files.command, run.text + "\n");
 }
 
+/// Keeps how a run ended.
+void record(const Files& files, const Ending& end) {
+    CsvFile(files.process, {"wall_s", "cpu_s", "peak_rss_kb"})
+        .row({number_text(end.wall_s), number_text(end.cpu_s), std::to_string(end.peak_rss_kb)});
+    write_file(files.exit_code, (end.timed_out ? "124 timeout" : std::to_string(end.signal != 0 ? 128 + end.signal : end.code)) + "\n");
+}
+
 std::optional<int> exit_code(const Files& files) {
     if (!fs::exists(files.exit_code)) return {};
     int code = 0;
@@ -50,8 +59,10 @@ std::optional<int> exit_code(const Files& files) {
 /// The summary rows, or none and why.
 std::vector<SummaryRow> summary(const Files& files, std::string& why) {
     std::vector<SummaryRow> rows;
+    if (!fs::exists(files.summary)) return why = "there is no summary.csv", rows;
     try {
-        const CsvTable table = read_csv(files.summary);
+        const CsvTable table =
+            parse_csv(read_file(files.summary), "summary.csv");  // not its path: rows do not depend on where the sweep is
         if (table.columns != summary_columns()) throw std::invalid_argument("its columns are not those of a summary");
         for (const auto& fields : table.rows) rows.push_back(summary_row(fields));
         if (rows.empty()) why = "summary.csv has no row";
@@ -63,17 +74,21 @@ std::vector<SummaryRow> summary(const Files& files, std::string& why) {
     return why.empty() ? rows : std::vector<SummaryRow>();
 }
 
-/// The last line that a failed program wrote on stderr.
-std::string last_words(const Files& files) {
+/// The last line that a failed program wrote on stderr, not what some shells add when a signal ends a program.
+std::string last_words(const Files& files, int code) {
     if (!fs::exists(files.errors)) return "";
-    std::string text = read_file(files.errors);
-    while (!text.empty() && text.back() == '\n') text.pop_back();
-    return one_line(text.substr(text.find_last_of('\n') + 1), 200);
+    std::istringstream text(read_file(files.errors));
+    const std::string by_shell = code > 128 ? strsignal(code - 128) : "\n";
+    std::string last;
+    for (std::string line; std::getline(text, line);)
+        if (!line.empty() && !line.starts_with(by_shell)) last = line;
+    return one_line(last, 200);
 }
 
 }  // namespace
 
-std::vector<Run> plan_sweep(Programs& programs, const std::vector<Variant>& variants, const std::vector<int>& cells, const std::string& folder) {
+std::vector<Run> plan_sweep(Programs& programs, const std::vector<Variant>& variants, const std::vector<int>& cells,
+                            const std::string& folder) {
     std::string shared;
     const Words names = short_names(variants, shared);
     std::vector<Run> runs;
@@ -81,9 +96,18 @@ std::vector<Run> plan_sweep(Programs& programs, const std::vector<Variant>& vari
         const Variant& variant = variants[v];
         for (std::size_t other = 0; other < v; ++other)
             if (variants[other].file_name() == variant.file_name()) throw BadInput("the same variant is given twice: " + names[v]);
-        if (!programs.accepts(variant.program, "cells")) throw BadInput(variant.program + " has no option --cells: it solves nothing on a grid");
+        if (!programs.accepts(variant.program, "cells"))
+            throw BadInput(variant.program + " has no option --cells: it solves nothing on a grid");
         for (const int n : cells) {
-            Run run{static_cast<int>(v), names[v], shared, variant.program, variant.options(), "", n, "", {programs.path(variant.program), variant.words}};
+            Run run{static_cast<int>(v),
+                    names[v],
+                    shared,
+                    variant.program,
+                    variant.options(),
+                    "",
+                    n,
+                    "",
+                    {programs.path(variant.program), variant.words}};
             const auto add = [&](const Words& words) { run.command.words.insert(run.command.words.end(), words.begin(), words.end()); };
             add({"--cells", std::to_string(n)});
             if (programs.accepts(variant.program, "plot")) add({"--plot", "none"});
@@ -99,7 +123,8 @@ std::vector<Run> plan_sweep(Programs& programs, const std::vector<Variant>& vari
 
 void write_sweep(const std::string& folder, const std::vector<Run>& runs) {
     CsvFile file(folder + "/sweep.csv", sweep_columns);
-    for (const Run& r : runs) file.row({std::to_string(r.variant), r.name, r.shared, r.program, r.options, std::to_string(r.cells), r.folder, r.text});
+    for (const Run& r : runs)
+        file.row({std::to_string(r.variant), r.name, r.shared, r.program, r.options, std::to_string(r.cells), r.folder, r.text});
 }
 
 std::vector<Run> read_sweep(const std::string& folder) {
@@ -107,8 +132,15 @@ std::vector<Run> read_sweep(const std::string& folder) {
     if (table.columns != sweep_columns) throw FileTrouble(folder + "/sweep.csv was not written by compare");
     std::vector<Run> runs;
     for (std::size_t i = 0; i < table.rows.size(); ++i)
-        runs.push_back({static_cast<int>(table.number(i, "variant")), table.text(i, "name"), table.text(i, "shared"), table.text(i, "program"),
-                        table.text(i, "options"), table.text(i, "command"), static_cast<int>(table.number(i, "cells")), table.text(i, "folder"), {}});
+        runs.push_back({static_cast<int>(table.number(i, "variant")),
+                        table.text(i, "name"),
+                        table.text(i, "shared"),
+                        table.text(i, "program"),
+                        table.text(i, "options"),
+                        table.text(i, "command"),
+                        static_cast<int>(table.number(i, "cells")),
+                        table.text(i, "folder"),
+                        {}});
     return runs;
 }
 
@@ -121,12 +153,14 @@ bool is_complete(const std::string& folder, const Run& run) {
     return fs::last_write_time(run.command.program) <= fs::last_write_time(files.exit_code);
 }
 
-bool run_sweep(const std::string& folder, const std::vector<Run>& runs, const RunRules& rules, const std::function<void(const Run&)>& after) {
+bool run_sweep(const std::string& folder, const std::vector<Run>& runs, const RunRules& rules,
+               const std::function<void(const Run&)>& after) {
     struct Job {
         const Run* run;
         Files files;
         Process process;
-        Job(const Files& where, const Run& r, double timeout) : run(&r), files(where), process(r.command, "/dev/null", files.errors, timeout) {}
+        Job(const Files& where, const Run& r, double timeout)
+            : run(&r), files(where), process(r.command, "/dev/null", files.errors, timeout) {}
     };
     std::list<Job> jobs;
     std::vector<const Run*> waiting;
@@ -151,19 +185,28 @@ bool run_sweep(const std::string& folder, const std::vector<Run>& runs, const Ru
             }
             if (interrupted()) return false;  // Ctrl-C reaches the runs as well: this one has not ended by itself
             some = true;
-            const Files& files = job->files;
-            CsvFile(files.process, {"wall_s", "cpu_s", "peak_rss_kb"}).row({number_text(end->wall_s), number_text(end->cpu_s), std::to_string(end->peak_rss_kb)});
-            write_file(files.exit_code, (end->timed_out ? "124 timeout" : std::to_string(end->signal != 0 ? 128 + end->signal : end->code)) + "\n");
+            record(job->files, *end);
             const Run& run = *job->run;
             job = jobs.erase(job);
             progress.ended(run);
             after(run);
         }
         progress.show(jobs.empty() ? nullptr : jobs.front().run);
-        if (some) nap.reset();
-        else nap.sleep();
+        if (some)
+            nap.reset();
+        else
+            nap.sleep();
     }
     return true;
+}
+
+std::optional<Outcome> run_one(const std::string& folder, const Run& run, double timeout) {
+    const Files files(folder, run);
+    prepare(files, run);
+    const Ending end = run_process(run.command, "/dev/null", files.errors, timeout);
+    if (interrupted()) return {};
+    record(files, end);
+    return outcome(folder, run);
 }
 
 std::vector<std::string> list_sweep(const std::string& folder, const std::vector<Run>& runs, bool fresh) {
@@ -182,20 +225,21 @@ Outcome outcome(const std::string& folder, const Run& run) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const Files files(folder, run);
     const auto code = exit_code(files);
-    if (!code) return {};
-    std::string why;
+    std::string why, trouble = "failed:not ended";
     std::vector<SummaryRow> rows = summary(files, why);
-    const bool timed_out = *code == 124 && read_file(files.exit_code).find("timeout") != std::string::npos;
-    std::string trouble = timed_out ? "failed:timeout" : shell_trouble(*code);
+    if (code) trouble = *code == 124 && read_file(files.exit_code).ends_with("timeout\n") ? "failed:timeout" : shell_trouble(*code);
     if (trouble.empty() && rows.empty()) trouble = "failed:no summary";
     bool all_well = true;
     for (const SummaryRow& row : rows) all_well = all_well && row.verdict == "ok";
-    if (trouble.empty() && *code == 3 && all_well) trouble = "failed:exit 3";
+    if (trouble.empty() && code == 3 && all_well) trouble = "failed:exit 3";
     if (!trouble.empty() && rows.empty()) {
-        SummaryRow row{run.program, "", "", "", "", run.options};
+        SummaryRow row;
+        row.program = run.program;
+        row.options = run.options;
         row.cells = run.cells;
         row.error_name = row.reference = "none";
-        row.h = row.dt = row.cfl = row.t_end = row.wall_s = row.cpu_s = row.ns_per_particle_step = row.energy_drift = row.momentum_drift = nan;
+        row.h = row.dt = row.cfl = row.t_end = row.wall_s = row.cpu_s = row.ns_per_particle_step = row.energy_drift = row.momentum_drift =
+            nan;
         rows.push_back(row);
     }
     const CsvTable process = fs::exists(files.process) ? read_csv(files.process) : CsvTable{};
@@ -204,9 +248,9 @@ Outcome outcome(const std::string& folder, const Run& run) {
         if (trouble.empty()) continue;
         row.error = row.order = row.t_fail = nan;
         row.verdict = trouble;
-        row.reason = *code == 0 || *code == 3 ? why : last_words(files);
+        row.reason = code == 0 || code == 3 ? why : last_words(files, code.value_or(0));
     }
-    return {true, rows};
+    return {code.has_value(), rows};
 }
 
 }  // namespace mpm

@@ -1,7 +1,8 @@
-/// A sweep: every variant at every resolution, each run in a folder and process of its own. What has ended stands on the disk, so that a sweep
-/// goes on where it was stopped, and it does not matter who ran what.
+/// A sweep: every variant at every resolution, each run in a folder and process of its own. What has ended stands on the disk, so that a
+/// sweep goes on where it was stopped, and it does not matter who ran what.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,10 @@ struct Run {
     Command command;     // not kept
 };
 
-/// What a folder holds of a run that has ended.
+/// What a folder holds of a run: one row at least, for a run that failed is a row too.
 struct Outcome {
     bool ended = false;
-    std::vector<SummaryRow> rows;  // never empty once it has ended: a run that failed is a row too
+    std::vector<SummaryRow> rows;
 };
 
 struct RunRules {
@@ -34,7 +35,8 @@ struct RunRules {
 };
 
 /// The runs of a sweep: the words that each command gets beside the variant's own are those which the program accepts.
-std::vector<Run> plan_sweep(Programs& programs, const std::vector<Variant>& variants, const std::vector<int>& cells, const std::string& folder);
+std::vector<Run> plan_sweep(Programs& programs, const std::vector<Variant>& variants, const std::vector<int>& cells,
+                            const std::string& folder);
 void write_sweep(const std::string& folder, const std::vector<Run>& runs);
 std::vector<Run> read_sweep(const std::string& folder);
 
@@ -42,7 +44,11 @@ std::vector<Run> read_sweep(const std::string& folder);
 bool is_complete(const std::string& folder, const Run& run);
 
 /// Runs what is not complete. Returns false when it was interrupted; the runs that had ended stay. `after` is called after each.
-bool run_sweep(const std::string& folder, const std::vector<Run>& runs, const RunRules& rules, const std::function<void(const Run&)>& after);
+bool run_sweep(const std::string& folder, const std::vector<Run>& runs, const RunRules& rules,
+               const std::function<void(const Run&)>& after);
+
+/// Runs one, whatever is there, and says what has become of it; nothing when interrupted.
+std::optional<Outcome> run_one(const std::string& folder, const Run& run, double timeout);
 
 /// Makes the folders of what is not complete and returns a line of shell for each.
 std::vector<std::string> list_sweep(const std::string& folder, const std::vector<Run>& runs, bool fresh);

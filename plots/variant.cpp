@@ -54,6 +54,15 @@ struct Scratch {
 
 }  // namespace
 
+std::string joined(const Words& words, const std::string& between) {
+    std::string text;
+    for (const std::string& word : words) {
+        if (&word != &words.front()) text += between;
+        text += word;
+    }
+    return text;
+}
+
 std::string file_safe(const std::string& text, std::size_t limit) {
     std::string safe = text;
     for (char& c : safe)
@@ -66,10 +75,16 @@ std::string file_safe(const std::string& text, std::size_t limit) {
     return safe.substr(0, limit - 9) + "_" + digits;
 }
 
+std::string written(const std::string& folder, const Words& files) {
+    std::string text = "written to " + folder + ":";
+    for (const std::string& file : files) text += " " + (file.starts_with(folder + "/") ? file.substr(folder.size() + 1) : file);
+    return text + "\n";
+}
+
 std::string Variant::options() const {
-    std::string text;
-    for (const auto& [name, value] : settings) text += (text.empty() ? "" : ";") + name + "=" + value;
-    return text;
+    Words items;
+    for (const auto& [name, value] : settings) items.push_back(name + "=" + value);
+    return joined(items, ";");
 }
 
 std::string Variant::file_name() const {
@@ -78,46 +93,51 @@ std::string Variant::file_name() const {
     return file_safe(text);
 }
 
-std::string Variant::value(const std::string& name, const std::string& otherwise) const {
+std::string Variant::value(const std::string& name) const {
     for (const auto& [known, value] : settings)
         if (known == name) return value;
-    return otherwise;
+    const auto standard = defaults.find(name);
+    return standard == defaults.end() ? "" : standard->second;
 }
 
 std::pair<Words, std::vector<Words>> split_variants(int argc, const char* const* argv) {
     std::pair<Words, std::vector<Words>> parts;
     for (int i = 0; i < argc; ++i) {
         const std::string word = argv[i];
-        if (word == "--") parts.second.emplace_back();
-        else (parts.second.empty() ? parts.first : parts.second.back()).push_back(word);
+        if (word == "--")
+            parts.second.emplace_back();
+        else
+            (parts.second.empty() ? parts.first : parts.second.back()).push_back(word);
     }
     return parts;
 }
 
 Words short_names(const std::vector<Variant>& variants, std::string& shared) {
     const auto common = [&](const auto& setting) {
-        return std::all_of(variants.begin(), variants.end(), [&](const Variant& v) {
-            return std::find(v.settings.begin(), v.settings.end(), setting) != v.settings.end();
-        });
+        return std::all_of(variants.begin(), variants.end(), [&](const Variant& v) { return v.value(setting.first) == setting.second; });
     };
-    Words names;
+    Words names, cut, same;
     for (const Variant& v : variants) {
         std::string name = v.program;
         for (const auto& setting : v.settings) {
             const std::string text = setting.first + " = " + setting.second;
-            if (variants.size() == 1 || !common(setting)) name += ", " + text;
-            else if (&v == &variants.front()) shared += (shared.empty() ? "" : ", ") + text;
+            if (variants.size() == 1 || !common(setting))
+                name += ", " + text;
+            else if (!holds(same, text))
+                same.push_back(text);
         }
-        name = one_line(name, longest_name);
-        const auto twins = std::count_if(names.begin(), names.end(), [&](const std::string& other) { return other.starts_with(name); });
-        names.push_back(twins == 0 ? name : name + " (" + std::to_string(twins + 1) + ")");
+        cut.push_back(one_line(name, longest_name));
+        const auto twins = std::count(cut.begin(), cut.end(), cut.back());
+        names.push_back(cut.back() + (twins > 1 ? " (" + std::to_string(twins) + ")" : ""));
     }
+    shared = joined(same, ", ");
     return names;
 }
 
 Programs::Programs(const std::string& folder) {
     std::error_code error;
-    folder_ = (folder.empty() ? fs::canonical("/proc/self/exe", error).parent_path() : fs::absolute(folder, error).lexically_normal()).string();
+    folder_ =
+        (folder.empty() ? fs::canonical("/proc/self/exe", error).parent_path() : fs::absolute(folder, error).lexically_normal()).string();
     names_ = lines(read_file(folder_ + "/programs.txt"));
 }
 
@@ -153,15 +173,20 @@ Variant Programs::variant(const Words& words, const Words& managed) {
     Variant v{words.front(), {words.begin() + 1, words.end()}, {}};
     const CsvTable& options = describe(v.program);
     std::map<std::string, bool> takes_value{{"config", true}};
-    for (std::size_t i = 0; i < options.rows.size(); ++i) takes_value[options.text(i, "name")] = options.text(i, "type") != "flag";
+    for (std::size_t i = 0; i < options.rows.size(); ++i) {
+        takes_value[options.text(i, "name")] = options.text(i, "type") != "flag";
+        v.defaults[options.text(i, "name")] = options.text(i, "default");
+    }
     Words known;
     for (const auto& option : takes_value) known.push_back(option.first);
     for (std::size_t i = 0; i < v.words.size(); ++i) {
         const std::string& word = v.words[i];
-        if (!word.starts_with("--")) throw BadInput(v.program + ": unexpected word '" + one_line(word) + "': options are given as --name value");
+        if (!word.starts_with("--"))
+            throw BadInput(v.program + ": unexpected word '" + one_line(word) + "': options are given as --name value");
         const std::size_t equals = word.find('=');
         const std::string name = word.substr(2, equals == std::string::npos ? equals : equals - 2);
-        if (holds(managed, name)) throw BadInput(v.program + ": --" + name + " is set for every variant, before the first --, or by this program itself");
+        if (holds(managed, name))
+            throw BadInput(v.program + ": --" + name + " is set for every variant, before the first --, or by this program itself");
         if (!takes_value.contains(name)) throw BadInput(v.program + ": unknown option --" + one_line(name) + hint(name, known, "--"));
         std::string value = "true";
         if (equals != std::string::npos) {

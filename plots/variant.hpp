@@ -10,6 +10,7 @@
 namespace mpm {
 
 using Words = std::vector<std::string>;
+std::string joined(const Words& words, const std::string& between);
 
 /// One program with its options, as given after "--".
 struct Variant {
@@ -17,9 +18,10 @@ struct Variant {
     Words words;                                                // as given
     std::vector<std::pair<std::string, std::string>> settings;  // name and value of each; "true" for a flag
 
-    std::string options() const;    // "mode=1;shape=cubic"
-    std::string file_name() const;  // "musl_bar_mode-1_shape-cubic", unlike that of any other variant
-    std::string value(const std::string& name, const std::string& otherwise) const;
+    std::string options() const;                       // "mode=1;shape=cubic"
+    std::string file_name() const;                     // "musl_bar_mode-1_shape-cubic", unlike that of any other variant
+    std::map<std::string, std::string> defaults = {};  // of all options of the program
+    std::string value(const std::string& name) const;  // as given, or the default; "" for an option that it does not have
 };
 
 /// Splits a command line at each "--": the words before the first one, and the variants.
@@ -30,6 +32,9 @@ Words short_names(const std::vector<Variant>& variants, std::string& shared);
 
 /// A text that can name a file: letters, digits and ._+- stay; with a hash where something was lost or cut.
 std::string file_safe(const std::string& text, std::size_t limit = 60);
+
+/// "written to FOLDER: names", for files in it.
+std::string written(const std::string& folder, const Words& files);
 
 /// The programs of a build: those which its list (programs.txt) names.
 class Programs {

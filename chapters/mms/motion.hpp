@@ -1,4 +1,5 @@
-/// The manufactured motion of the unit segment (review 6.2.1 and A.1) in closed form: displacement, velocity, stress and the body force that it needs.
+/// The manufactured motion of the unit segment (review 6.2.1 and A.1) in closed form: displacement, velocity, stress and the body force
+/// that it needs.
 #pragma once
 #include <cmath>
 #include <numbers>

@@ -6,12 +6,13 @@
 
 namespace mpm {
 
-/// e1 (A.12), the largest over time of the root mean square error in space (A.11), in units of length; e2 (A.13), relative and over all steps; and the
-/// root mean square over particles and steps (6.7).
+/// e1 (A.12), the largest over time of the root mean square error in space (A.11), in units of length; e2 (A.13), relative and over all
+/// steps; and the root mean square over particles and steps (6.7).
 ///
-/// Why (6.7) flatters: it is a mean over time, so an error e that has grown to full size only in the last part f of a run enters as sqrt(f) e, and what
-/// e1 calls a failure still looks like convergence. It does not shrink by itself as the review says, since its sum has n_T n_p terms: a constant
-/// error e gives e however fine the grid. (With the division outside the root it would, as 1/sqrt(n_T n_p).)
+/// Why (6.7) flatters: it is a mean over time, so an error e that has grown to full size only in the last part f of a run enters as
+/// sqrt(f) e, and what e1 calls a failure still looks like convergence. It does not shrink by itself as the review says, since its sum
+/// has n_T n_p terms: a constant error e gives e however fine the grid. (With the division outside the root it would, as 1/sqrt(n_T
+/// n_p).)
 class DisplacementError {
 public:
     /// One moment: exact(p) is the displacement that particle p should have, volume(p) its weight in (A.11) and (A.13).

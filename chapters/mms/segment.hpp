@@ -16,7 +16,8 @@
 
 namespace mpm {
 
-/// `TotalLagrangian` schemes, finite elements included, weigh their errors with V0, the others with V (end of A.2). No particle leaves [0, 1]: no padding.
+/// `TotalLagrangian` schemes, finite elements included, weigh their errors with V0, the others with V (end of A.2). No particle leaves
+/// [0, 1]: no padding.
 template <bool TotalLagrangian> struct Segment : SegmentMotion {
     static constexpr int D = 1;
     static constexpr const char* name = "segment";
@@ -40,7 +41,8 @@ template <bool TotalLagrangian> struct Segment : SegmentMotion {
     /// Throws BadInput for a motion that would turn the segment inside out.
     void check() const {
         if (k_pi() * G >= 1)
-            throw BadInput("--G = " + std::to_string(G) + ": allowed with --mode " + std::to_string(mode) + " < " + std::to_string(1 / k_pi()));
+            throw BadInput("--G = " + std::to_string(G) + ": allowed with --mode " + std::to_string(mode) + " < " +
+                           std::to_string(1 / k_pi()));
     }
 
     double speed() const { return omega() * G; }
@@ -84,8 +86,9 @@ template <bool TotalLagrangian> struct Segment : SegmentMotion {
     }
     template <class Grid> Vec<1> held_force(const Grid& grid) const { return grid[0].f + grid[grid.size() - 1].f; }
 
-    /// Impulse and work of the body force over the step from t, with the velocities after it. A leapfrog's work is the force at t times the mean of the
-    /// velocities half a step before and after; summed over the steps that is the velocity times the mean of the forces at t and t + dt.
+    /// Impulse and work of the body force over the step from t, with the velocities after it. A leapfrog's work is the force at t times
+    /// the mean of the velocities half a step before and after; summed over the steps that is the velocity times the mean of the forces
+    /// at t and t + dt.
     template <class Bodies> Supply supply(const Bodies& bodies, double t, double dt) const {
         Supply sum;
         const auto add = [&](double m, double mv, double b_now, double b_next) {
@@ -117,13 +120,15 @@ template <bool TotalLagrangian> struct Segment : SegmentMotion {
         DisplacementError norms{};
 
         template <class Points> void sample(const Points& points, double t, double) {
-            norms.sample(
-                points, [&](const auto& p) { return Vec<1>(segment.u(p.X[0], t)); }, [](const auto& p) { return TotalLagrangian ? p.V0 : p.V; });
+            const auto exact = [&](const auto& p) { return Vec<1>(segment.u(p.X[0], t)); };
+            norms.sample(points, exact, [](const auto& p) { return TotalLagrangian ? p.V0 : p.V; });
         }
         bool wants_energy(double, double) const { return false; }
         std::vector<NamedError> errors(double) const { return {{"e1", norms.e1()}, {"e2", norms.e2()}, {"rmse", norms.rmse()}}; }
         std::vector<std::pair<std::string, double>> facts(double) const {
-            return {{"largest rms error in time, e1", norms.e1()}, {"relative error over time, e2", norms.e2()}, {"rms over time (6.7)", norms.rmse()}};
+            return {{"largest rms error in time, e1", norms.e1()},
+                    {"relative error over time, e2", norms.e2()},
+                    {"rms over time (6.7)", norms.rmse()}};
         }
     };
 };

@@ -35,8 +35,8 @@ using Members = ::testing::Types<Member<Hat, 0>, Member<Ugimp, 1, 100>, Member<U
                                  Member<Cpgimp, 1, 25>, Member<Cpgimp, 1, 100>, Member<Cpgimp, 1, 130>, Member<Cpgimp, 1, 200>,
                                  Member<Quadratic, 1>, Member<Cubic, 2>, Member<Bernstein, 0>, Member<Lagrange2, 0>>;
 
-/// Where Lagrange functions differ from the rest: the smallest weight, the steepest slope at an end of the grid [per cell], and whether only
-/// the first two functions have one there.
+/// Where Lagrange functions differ from the rest: the smallest weight, the steepest slope at an end of the grid [per cell], and whether
+/// only the first two functions have one there.
 template <class Kernel> constexpr bool lagrange = std::is_same_v<Kernel, Lagrange2>;
 template <class Kernel> constexpr double least_weight = lagrange<Kernel> ? -0.125 : 0;
 template <class Kernel> constexpr double steepest = lagrange<Kernel> ? 4 : 2;

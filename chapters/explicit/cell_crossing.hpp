@@ -1,0 +1,119 @@
+/// What cell_crossing writes: the runs' histories side by side with one column for each weighting function, summary rows, and the figure.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "chapters/scenes/two_bodies.hpp"
+#include "lab/csv_read.hpp"
+#include "lab/program.hpp"
+
+namespace mpm::crossing {
+
+struct Settings {
+    TwoBodies scene;
+    int ppc = 1, records = 4000;
+    double cfl = 0.015, dt = 0;
+    std::string shape = "all", out, label, plot = "none", watch = "stop";
+    bool quiet = false;
+};
+
+/// One weighting function's run.
+struct Run {
+    SummaryRow row;
+    std::vector<NamedError> errors;
+    RunResult result;
+    int crossings = 0;
+};
+
+/// Whole steps, as every program takes them. Throws BadInput.
+inline RunPlan plan_of(const Settings& set, const Assembled& a, const std::string& folder) {
+    RunPlan plan;
+    plan.t_end = set.scene.t_end;
+    const double steps = std::ceil(plan.t_end / (set.dt > 0 ? set.dt : set.cfl * a.critical_dt) * (1 - 1e-12));
+    if (!(steps < 1e9)) throw BadInput("--t-end or --dt, --cfl: more than 1e9 steps");
+    plan.steps = std::max(1L, static_cast<long>(steps));
+    plan.dt = plan.t_end / static_cast<double>(plan.steps);
+    plan.records = set.records;
+    plan.stop_on_trouble = set.watch == "stop";
+    plan.folder = folder;
+    plan.columns.assign(TwoBodies::columns.begin(), TwoBodies::columns.end());
+    plan.critical_dt = a.critical_dt;
+    return plan;
+}
+
+/// Fills in what the run has shown; errors of a run that stopped early are nan.
+inline void finish(Run& run, const RunPlan& plan) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    SummaryRow& row = run.row;
+    const RunResult& r = run.result;
+    row.dt = plan.dt;
+    row.cfl = plan.dt / plan.critical_dt;
+    row.steps = r.steps;
+    row.t_end = plan.t_end;
+    row.order = nan;
+    row.energy_drift = r.energy_drift;
+    row.momentum_drift = r.momentum_drift;
+    row.wall_s = r.wall;
+    row.cpu_s = r.cpu;
+    row.ns_per_particle_step = 1e9 * r.wall / static_cast<double>(std::max(1L, r.steps)) / static_cast<double>(row.particles);
+    row.peak_rss_kb = peak_memory_kb();
+    row.verdict = r.trouble ? "unstable:" + r.trouble.cause : r.interrupted ? "interrupted" : "ok";
+    row.t_fail = r.trouble ? r.t_fail : nan;
+    row.reason = r.trouble.reason;
+    for (NamedError& e : run.errors)
+        if (r.stopped) e.value = nan;
+}
+
+inline void write_summary(const std::string& path, const std::vector<Run>& runs) {
+    CsvFile file(path, summary_columns());
+    for (const Run& run : runs)
+        for (const NamedError& e : run.errors) {
+            SummaryRow row = run.row;
+            row.error_name = e.name;
+            row.error = e.value;
+            file.row(summary_fields(row));
+        }
+}
+
+/// The folder of a shape's own history: of several, each has one.
+inline std::string folder_of(const std::string& folder, const std::string& shape, const Settings& set) {
+    return set.shape == "all" ? folder + "/" + shape : folder;
+}
+
+/// All steps are of one length, so that rows belong to the same times; a history that ends early ends in nan.
+inline void write_together(const std::string& folder, const std::vector<std::string>& shapes, const Settings& set) {
+    const std::vector<std::string> own{"x", "v", "stress", "strain_rate", "kinetic", "strain"};
+    std::vector<CsvTable> histories;
+    std::vector<std::string> names{"t"};
+    std::size_t longest = 0;
+    for (const std::string& shape : shapes) {
+        histories.push_back(read_csv(folder_of(folder, shape, set) + "/history.csv"));
+        if (histories.back().rows.size() > histories[longest].rows.size()) longest = histories.size() - 1;
+        for (const std::string& name : own) names.push_back(name + "_" + shape);
+    }
+    CsvFile file(folder + "/cell_crossing.csv", names);
+    for (std::size_t i = 0; i < histories[longest].rows.size(); ++i) {
+        std::vector<std::string> row{histories[longest].text(i, "t")};
+        for (const CsvTable& history : histories)
+            for (const std::string& name : own) row.push_back(i < history.rows.size() ? history.text(i, name) : "nan");
+        file.row(row);
+    }
+}
+
+inline void write_figures(const std::string& folder, const std::vector<std::string>& shapes, const Settings& set) {
+    const auto panel = [&](const std::string& column, const std::string& label) {
+        std::vector<Curve> curves;
+        for (const std::string& shape : shapes) curves.push_back({column + "_" + shape, shape});
+        return Panel{"", "t", "time t [time]", label, curves, ""};
+    };
+    const std::string ppc = std::to_string(set.ppc) + (set.ppc > 1 ? " particles" : " particle");
+    write_figure(folder, "cell_crossing", "cell_crossing.csv", "Two bodies of " + ppc + " meet: the inner particle of the first, and the strain energy",
+                 {panel("x", "position x [length]"), panel("stress", "stress σ [stress]"), panel("strain_rate", "strain rate L [1/time]"),
+                  panel("strain", "strain energy U [energy]")},
+                 2);
+}
+
+}  // namespace mpm::crossing
