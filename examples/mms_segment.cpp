@@ -33,7 +33,9 @@ void check(const Options& options, SegmentSettings& s, const Choice& choice) {
         throw BadInput(shape + ": allowed with " + scheme + ": " + names);
     }
     if (s.formulation != "total" && !elements) throw BadInput("--formulation: only --scheme fem has one, not " + s.scheme);
-    if (s.transfer.alpha != 1 && elements) throw BadInput("--alpha: --scheme fem has no particles to carry velocities");
+    if (elements && (s.transfer.name != "flip" || s.transfer.alpha != 1))
+        throw BadInput("--transfer, --alpha: --scheme fem has no particles to carry velocities");
+    s.transfer.check(s.common.ppc);
     if (elements && options.given("points") && s.scene.placing != "gauss") throw BadInput("--points mid: " + scheme + " has Gauss points");
     if (elements) s.scene.placing = "gauss";
     if (gimp && s.scene.placing == "gauss" && s.common.ppc > 2)
@@ -54,7 +56,7 @@ int run(int argc, char** argv) {
     options.choice("scheme", s.scheme, schemes, "method");
     options.choice("formulation", s.formulation, {"total", "updated"}, "of --scheme fem: on the initial configuration or the moved mesh");
     s.scene.declare(options);
-    options.number("alpha", s.transfer.alpha, "-", between(0, 1), "mix of FLIP (1) and PIC (0)");
+    s.transfer.declare(options);
     s.common.declare(options, shapes, s.scene.period());
     options.parse(argc, argv);
     if (answered(options, program)) return 0;

@@ -1,5 +1,6 @@
 /// Joins one scheme, one scene, one shape and one transfer into what the run loop and the report call.
 #pragma once
+#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -84,7 +85,7 @@ template <class Scene, class Matter> struct Problem {
 };
 
 /// All that the run loop calls but the step.
-template <class Scene, class Matter> Simulation watched(const std::shared_ptr<Problem<Scene, Matter>>& s, double t_end) {
+template <class Scene, class Matter> [[gnu::cold]] Simulation watched(const std::shared_ptr<Problem<Scene, Matter>>& s, double t_end) {
     Simulation sim;
     sim.measure = [s] { return s->measure(); };
     sim.check = [s] { return s->check(); };
@@ -105,15 +106,40 @@ template <class Scene, class Matter> Simulation watched(const std::shared_ptr<Pr
     return sim;
 }
 
-/// What the report needs besides; the caller fills in names that the weights decide.
-template <class Scene, class Matter> Assembled reported(const std::shared_ptr<Problem<Scene, Matter>>& s, int cells, const Common& common) {
+/// A weighting function by value: its name, nodes per cell and axis, and the nodes a point touches along an axis.
+struct ShapeFacts {
+    const char* name;
+    int per_cell, support;
+};
+template <class Kernel> constexpr ShapeFacts facts_of() { return {Kernel::name, Kernel::per_cell, Kernel::support}; }
+
+/// What the weights and the scheme add to a problem, by value, so that what follows is compiled once for all of them.
+struct Combination {
+    ShapeFacts shape;
+    const char *scheme, *transfer;
+    bool total_lagrangian;
+    double cutoff;  // [mass]
+};
+
+/// The rest of a resolution whose bodies stand: the watches, and all that the loop and the report call but the step.
+template <class Scene, class Matter>
+[[gnu::cold]] Assembled watched_and_reported(const std::shared_ptr<Problem<Scene, Matter>>& s, const Combination& combination, int cells, const Common& common) {
     const Scene& scene = s->scene;
     const Vec<Scene::D> h = s->bodies[0]->grid.lattice().h();
+    s->watches_nodes = !combination.total_lagrangian;
+    s->cutoff = combination.cutoff;
+    if constexpr (!requires { Scene::may_break; })
+        if (!combination.total_lagrangian)
+            for (const Matter* body : s->bodies) s->coverage.emplace_back(*body, combination.shape.support);
+    s->keep();
     Assembled a;
     a.simulation = watched(s, common.t_end);
     a.critical_dt = critical_step<Scene::D>(h, scene.wave_speed(), scene.speed());
     a.row.scene = Scene::name;
     a.row.reference = Scene::reference;
+    a.row.scheme = combination.scheme;
+    a.row.shape = combination.shape.name;
+    a.row.transfer = combination.transfer;
     a.row.dim = Scene::D;
     a.row.cells = cells;
     a.row.h = h[0];
@@ -129,9 +155,14 @@ template <class Scene, class Matter> Assembled reported(const std::shared_ptr<Pr
     return a;
 }
 
+template <class Matter, class Scene> [[gnu::cold]] Matter matter_of(const Scene& scene, const Lattice<Scene::D>& lattice, int cells, int ppc) {
+    return {scene.template particles<typename Matter::Point>(cells, ppc), Grid<Scene::D, typename Matter::Node>(lattice), scene.law()};
+}
+
 /// `make_shape(lattice, points)` gives the body's weighting function.
 template <class Shape, class Scheme, class Scene, class Transfer, class MakeShape>
-Assembled assemble(const Scheme& scheme, const Scene& scene, const Transfer& transfer, int cells, const Common& common, MakeShape&& make_shape) {
+[[gnu::cold]] Assembled assemble(const Scheme& scheme, const Scene& scene, const Transfer& transfer, const ShapeFacts& facts, int cells, const Common& common,
+                                   MakeShape&& make_shape) {
     constexpr int D = Scene::D;
     using Point = PointFor<Scheme, Transfer, D>;
     using Node = NodeFor<Scheme, Transfer, D>;
@@ -139,28 +170,19 @@ Assembled assemble(const Scheme& scheme, const Scene& scene, const Transfer& tra
     using OneBody = Body<D, Point, Node, typename Scene::Law, Shape, Transfer>;
     struct Moved {
         Scheme scheme;
-        std::vector<OneBody> bodies;
+        std::array<OneBody, 1> bodies;
     };
+    const Lattice<D> lattice = scene.lattice(cells, facts.per_cell);
     auto problem = std::make_shared<Problem<Scene, Substance>>(scene);
-    auto moved = std::make_shared<Moved>(Moved{scheme, {}});
-    const Lattice<D> lattice = scene.lattice(cells, Shape::Kernel::per_cell);
-    auto points = scene.template particles<Point>(cells, common.ppc);
-    Shape shape = make_shape(lattice, points);
-    moved->bodies.push_back({{std::move(points), Grid<D, Node>(lattice), scene.law()}, std::move(shape), transfer});
+    Substance matter = matter_of<Substance>(scene, lattice, cells, common.ppc);
+    Shape shape = make_shape(lattice, matter.points);
+    auto moved = std::make_shared<Moved>(Moved{scheme, {OneBody{std::move(matter), std::move(shape), transfer}}});
     if constexpr (requires { scheme.start(moved->bodies, scene); }) moved->scheme.start(moved->bodies, scene);
     for (OneBody& body : moved->bodies) problem->bodies.push_back(&body);
-    if constexpr (!Shape::total_lagrangian) {
-        problem->watches_nodes = true;
-        if constexpr (requires { scheme.cutoff; }) problem->cutoff = scheme.cutoff;
-        if constexpr (!requires { Scene::may_break; })
-            for (const Substance* body : problem->bodies) problem->coverage.emplace_back(*body, Shape::N);
-    }
-    problem->keep();
-    Assembled a = reported(problem, cells, common);
+    Combination combination{facts, Scheme::name, transfer.name, Shape::total_lagrangian, 0};
+    if constexpr (requires { scheme.cutoff; }) combination.cutoff = scheme.cutoff;
+    Assembled a = watched_and_reported(problem, combination, cells, common);
     a.simulation.step = [moved, problem](double t, double dt) { moved->scheme.step(moved->bodies, Free{}, problem->scene, t, dt); };
-    a.row.scheme = Scheme::name;
-    a.row.shape = Shape::Kernel::name;
-    a.row.transfer = Transfer::name;
     return a;
 }
 

@@ -41,11 +41,11 @@ RunPlan plan_of(const Common& c, const Assembled& a, const std::string& folder, 
 void figure(const Description& about, const Common& c, const std::string& folder, std::vector<std::string>& files) {
     const double window = about.period > 0 ? std::min(c.t_end, 10 * about.period) : c.t_end;
     const std::string first = "[0:" + number_text(window) + "]";
-    std::vector<Panel> panels;
+    std::vector<Panel> panels = about.panels;
     std::vector<Curve> own;
     for (const std::string& name : about.columns)
         own.push_back({name, name.ends_with("_exact") ? "exact" : "computed", name.ends_with("_exact") ? "lines dt 2 lc rgb 'black'" : "lines dt solid lc rgb '#c03030'"});
-    panels.push_back({"", "t", "time t [time]", "v_{cm} [length/time]", own, first});
+    if (panels.empty()) panels.push_back({"", "t", "time t [time]", "v_{cm} [length/time]", own, first});
     panels.push_back({"", "t", "time t [time]", "energy [force length]",
                       {{"kinetic", "kinetic", "lines dt (8,3) lc rgb '#3060c0'"}, {"strain", "strain", "lines dt (2,3) lc rgb '#40a040'"}, {"total", "total", "lines dt solid lc rgb 'black'"}}, first});
     files.push_back(write_figure(folder, about.program, "history.csv", about.program + ": " + about.solves, panels));

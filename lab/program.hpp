@@ -47,6 +47,7 @@ struct Description {
     std::string program, purpose, scene, solves;
     std::vector<std::string> columns;
     double period = 0;  // [time]; the history's figure shows ten
+    std::vector<Panel> panels = {};  // of the history's figure, above the energies; empty: one of all watched columns
 };
 
 /// Runs every resolution and writes everything; returns the exit code.

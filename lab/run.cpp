@@ -186,7 +186,8 @@ private:
         result_.cpu = watch_.cpu;
         result_.energy_drift = energy_.in_play() > 0 ? (now_.balance() - so_far_.work - first_.balance()) / energy_.in_play() : 0;
         const auto lost = [&](std::size_t d) { return now_.momentum[d] - first_.momentum[d] - so_far_.impulse[d]; };
-        result_.momentum_drift = momentum_in_play_ > 0 ? std::hypot(lost(0), lost(1)) / momentum_in_play_ : 0;
+        const double in_play = std::max(momentum_in_play_, std::hypot(so_far_.impulse[0], so_far_.impulse[1]));
+        result_.momentum_drift = in_play > 0 ? std::hypot(lost(0), lost(1)) / in_play : 0;
         return result_;
     }
 

@@ -48,7 +48,7 @@ struct RunResult {
     long steps = 0;
     double wall = 0, cpu = 0;
     double energy_drift = 0;                      // change of energy less work, relative to the energy in play
-    double momentum_drift = 0;                    // change of momentum less impulse, relative to the sum of m |v|
+    double momentum_drift = 0;                    // change of momentum less impulse, relative to the larger of sum m |v| and impulse
     bool interrupted = false;
     std::vector<Frame> frames;  // snapshots written
     std::vector<std::string> files;

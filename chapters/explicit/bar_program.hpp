@@ -2,11 +2,8 @@
 #pragma once
 #include <functional>
 
-#include "chapters/improved/transfers.hpp"
+#include "chapters/improved/variants.hpp"
 #include "chapters/scenes/bar.hpp"
-#include "chapters/weighting/shapes.hpp"
-#include "chapters/weighting/tensor.hpp"
-#include "lab/assemble.hpp"
 
 namespace mpm {
 
@@ -28,22 +25,8 @@ int bar_program(const std::string& program, const std::string& purpose, Scheme& 
         choice.check(common.ppc);
         const Description about{program, purpose, bar.name, bar.solves, {bar.columns.begin(), bar.columns.end()}, bar.period()};
         const Common chosen = common.with_period(bar.period());
-        return run_program(about, options, chosen, [&](int cells) {
-            Assembled a;
-            choice.with<TotalLagrangian>([&](const auto& transfer) {
-                Shapes::with(common.shape, [&](auto kernel) {
-                    using Kernel = decltype(kernel);
-                    using Moving = Tensor<1, Kernel>;
-                    using Shape = std::conditional_t<TotalLagrangian, Stored<Moving>, Moving>;
-                    a = assemble<Shape>(scheme, bar, transfer, cells, chosen, [&](const auto& lattice, const auto& points) {
-                        const Moving moving{lattice, sized<Kernel>(common.ppc)};
-                        if constexpr (TotalLagrangian) return Shape(moving, points);
-                        else return moving;
-                    });
-                });
-            });
-            return a;
-        });
+        return run_program(about, options, chosen,
+                           [&](int cells) { return assemble_named<Shapes, TotalLagrangian>(scheme, bar, choice, cells, chosen); });
     });
 }
 

@@ -1,17 +1,15 @@
-/// cell_crossing: two bodies meet and rebound (review 3.2, figures 12 to 14) by USL (usl.hpp), with hat functions and with every smooth one:
-/// what crossing the edge of a cell does to strain rate, force and energy.
+/// cell_crossing: two bodies meet and rebound (review 3.2, figures 12 to 14) by USL (usl.hpp), with hat functions and with every smooth
+/// one: what crossing the edge of a cell does to strain rate, force and energy.
 ///   ./cell_crossing --ppc 3 --offset 0.05 --plot png
-/// The smaller the mass of a node that a hat-function particle has just reached, the larger the jump; a step that ends on the node but for rounding
-/// (as with --cells 5 --cfl 0.01) blows the strain energy up.
+/// The smaller the mass of a node that a hat-function particle has just reached, the larger the jump; a step that ends on the node but for
+/// rounding (as with --cells 5 --cfl 0.01) blows the strain energy up.
 #include "chapters/explicit/cell_crossing.hpp"
 
 #include <cstdio>
 
 #include "chapters/explicit/flip.hpp"
 #include "chapters/explicit/usl.hpp"
-#include "chapters/weighting/shapes.hpp"
-#include "chapters/weighting/tensor.hpp"
-#include "lab/assemble.hpp"
+#include "chapters/weighting/assemble_with.hpp"
 
 using namespace mpm;
 using crossing::Run;
@@ -28,10 +26,7 @@ Assembled assembled(const std::string& shape, const Settings& set) {
     common.ppc = set.ppc;
     common.t_end = set.scene.t_end;
     UpdatedShapes::with(shape, [&](auto kernel) {
-        using Kernel = decltype(kernel);
-        using Shape = Tensor<1, Kernel>;
-        a = assemble<Shape>(Usl{}, set.scene, Flip{}, set.scene.cells, common,
-                            [&](const auto& lattice, const auto&) { return Shape{lattice, sized<Kernel>(set.ppc)}; });
+        a = assemble_with<decltype(kernel), false>(Usl{}, set.scene, Flip{}, set.scene.cells, common);
     });
     return a;
 }
@@ -73,8 +68,8 @@ void declare(Options& o, Settings& set) {
 void report(const std::vector<Run>& runs, const std::vector<std::string>& files) {
     const SummaryRow& row = runs.front().row;
     std::printf("%s: %s\n", program, TwoBodies::solves);
-    std::printf("%s, %s: %d cells, h = %.4g, %ld particles, dt = %.4g (%.3g of h/(c + |v|))\n", row.scheme.c_str(), row.transfer.c_str(), row.cells,
-                row.h, row.particles, row.dt, row.cfl);
+    std::printf("%s, %s: %d cells, h = %.4g, %ld particles, dt = %.4g (%.3g of h/(c + |v|))\n", row.scheme.c_str(), row.transfer.c_str(),
+                row.cells, row.h, row.particles, row.dt, row.cfl);
     std::printf("           cells    largest jump in a step of    strain energy  rebound speed       energy     momentum\n");
     std::printf("shape      crossed  strain rate  acceleration  left            missing             drift        drift  verdict\n");
     std::printf("                    [v0/h]       [c v0/h]      [K0]            [v0]\n");
@@ -104,7 +99,8 @@ int run_all(int argc, char** argv) {
     make_folder(folder);
     write_file(folder + "/run.ini", options.ini());
     std::vector<Run> runs;
-    std::vector<std::string> shapes, files{folder + "/run.ini", folder + "/summary.csv", folder + "/cell_crossing.csv", folder + "/cell_crossing.gp"};
+    std::vector<std::string> shapes,
+        files{folder + "/run.ini", folder + "/summary.csv", folder + "/cell_crossing.csv", folder + "/cell_crossing.gp"};
     bool unstable = false;
     for (const std::string& shape : wanted) {
         runs.push_back(run_shape(shape, set, crossing::folder_of(folder, shape, set), options));

@@ -110,7 +110,8 @@ inline void write_figures(const std::string& folder, const std::vector<std::stri
         return Panel{"", "t", "time t [time]", label, curves, ""};
     };
     const std::string ppc = std::to_string(set.ppc) + (set.ppc > 1 ? " particles" : " particle");
-    write_figure(folder, "cell_crossing", "cell_crossing.csv", "Two bodies of " + ppc + " meet: the inner particle of the first, and the strain energy",
+    write_figure(folder, "cell_crossing", "cell_crossing.csv",
+                 "Two bodies of " + ppc + " meet: the inner particle of the first, and the strain energy",
                  {panel("x", "position x [length]"), panel("stress", "stress σ [stress]"), panel("strain_rate", "strain rate L [1/time]"),
                   panel("strain", "strain energy U [energy]")},
                  2);

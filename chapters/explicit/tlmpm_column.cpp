@@ -1,5 +1,5 @@
-/// tlmpm_column: a column in one dimension by the total-Lagrangian MPM (tlmpm.hpp), the three verification cases of the report "A Dynamic Explicit Total
-/// Lagrangian MPM for Large Deformation in 1D": slow compression (A), a step load (B), energy (C).
+/// tlmpm_column: a column in one dimension by the total-Lagrangian MPM (tlmpm.hpp), the three verification cases of the report "A Dynamic
+/// Explicit Total Lagrangian MPM for Large Deformation in 1D": slow compression (A), a step load (B), energy (C).
 ///   ./tlmpm_column --case C --transfer fmpm --order 8
 #include "chapters/explicit/tlmpm_column/settings.hpp"
 #include "chapters/scenes/column_defaults.hpp"
@@ -14,7 +14,8 @@ void declare(Options& options, ColumnSettings& s) {
     s.column.declare(options);
     s.transfer.declare(options);
     options.choice("stress", s.scheme.stress, {"musl", "usl"}, "velocities of the stress update: mapped twice (musl) or not (usl)");
-    options.choice("position", s.position, {"grid", "particle"}, "what moves particles: the grid's velocity, or their own as in the report's line 29");
+    options.choice("position", s.position, {"grid", "particle"},
+                   "what moves particles: the grid's velocity, or their own as in the report's line 29");
     s.common.declare(options, ColumnShapes::names(), s.common.t_end);
 }
 
@@ -34,7 +35,8 @@ void check(const ColumnSettings& s) {
                        ": two nodes per cell need more particles for a mass matrix that is not singular; allowed >= 3");
 }
 
-/// The settings that a case has by default. The report's alpha = 0.5 (it mixes FLIP and PIC, and is no central difference) belongs to its own transfer.
+/// The settings that a case has by default. The report's alpha = 0.5 (it mixes FLIP and PIC, and is no central difference) belongs to its
+/// own transfer.
 ColumnSettings of_case(const ColumnSettings& asked) {
     ColumnSettings s;
     s.column = column_case(asked.column.which);
@@ -57,11 +59,10 @@ int run(int argc, char** argv) {
     if (answered(options, program)) return 0;
     s.column.name_case();
     check(s);
-    const Description about{program, purpose, "column", s.column.solves(), s.column.columns()};
+    const Description about{program, purpose, "column", s.column.solves(), s.column.columns(), 0, s.column.panels()};
     s.common = s.common.with_period(s.column.period());
-    return run_program(about, options, s.common, [&](int cells) {
-        return s.column.law == Hooke::name ? hooke_column(s, cells) : neo_hookean_column(s, cells);
-    });
+    return run_program(about, options, s.common,
+                       [&](int cells) { return s.column.law == Hooke::name ? hooke_column(s, cells) : neo_hookean_column(s, cells); });
 }
 
 }  // namespace

@@ -3,9 +3,7 @@
 #include "chapters/fem/total.hpp"
 #include "chapters/fem/updated.hpp"
 #include "chapters/scenes/bar.hpp"
-#include "chapters/weighting/shapes.hpp"
-#include "chapters/weighting/tensor.hpp"
-#include "lab/assemble.hpp"
+#include "chapters/weighting/assemble_with.hpp"
 
 namespace {
 
@@ -17,9 +15,7 @@ using Scene = Bar<true>;  // both formulations start from a mesh of the bar as i
 template <class Scheme> Assembled elements(const Scheme& scheme, const Scene& bar, const Common& common, int cells) {
     Assembled a;
     ElementShapes::with(common.shape, [&](auto kernel) {
-        using Moving = Tensor<1, decltype(kernel)>;
-        a = assemble<Stored<Moving>>(scheme, bar, NoTransfer{}, cells, common,
-                                     [](const auto& lattice, const auto& points) { return Stored<Moving>(Moving{lattice}, points); });
+        a = assemble_with<decltype(kernel), true>(scheme, bar, NoTransfer{}, cells, common);
     });
     return a;
 }

@@ -1,10 +1,9 @@
-/// fem_column: the column of tlmpm_column by total-Lagrangian explicit finite elements (total.hpp), its reference: the same cases, options and files.
+/// fem_column: the column of tlmpm_column by total-Lagrangian explicit finite elements (total.hpp), its reference: the same cases, options
+/// and files.
 ///   ./fem_column --case A --damping 0.1
 #include "chapters/fem/total.hpp"
 #include "chapters/scenes/column_defaults.hpp"
-#include "chapters/weighting/shapes.hpp"
-#include "chapters/weighting/tensor.hpp"
-#include "lab/assemble.hpp"
+#include "chapters/weighting/assemble_with.hpp"
 
 namespace {
 
@@ -12,12 +11,11 @@ using namespace mpm;
 constexpr const char* program = "fem_column";
 constexpr const char* purpose = "a column by explicit finite elements: compressed slowly, under a step load, with an initial energy";
 
-template <class Law> Assembled elements(const ColumnCase& column, const Common& common, int cells) {
+template <class Law>
+Assembled elements(const ColumnCase& column, const Common& common, int cells) {
     Assembled a;
     ElementShapes::with(common.shape, [&](auto kernel) {
-        using Moving = Tensor<1, decltype(kernel)>;
-        a = assemble<Stored<Moving>>(TotalFem{}, Column<Law>(column), NoTransfer{}, cells, common,
-                                     [](const auto& lattice, const auto& points) { return Stored<Moving>(Moving{lattice}, points); });
+        a = assemble_with<decltype(kernel), true>(TotalFem{}, Column<Law>(column), NoTransfer{}, cells, common);
     });
     a.row.scene += "-" + column.which;
     return a;
@@ -45,7 +43,7 @@ int run(int argc, char** argv) {
     column.placing = "gauss";
     if (common.shape == Lagrange2::name && common.ppc < 2)
         throw BadInput("--ppc 1: one point leaves the end nodes of quadratic elements (--shape lagrange) without mass; allowed >= 2");
-    const Description about{program, purpose, "column", column.solves(), column.columns()};
+    const Description about{program, purpose, "column", column.solves(), column.columns(), 0, column.panels()};
     common = common.with_period(column.period());
     return run_program(about, options, common, [&](int cells) {
         return column.law == Hooke::name ? elements<Hooke>(column, common, cells) : elements<NeoHookean>(column, common, cells);

@@ -7,23 +7,24 @@
 namespace mpm {
 
 /// v(k) = sum_{l < k} (I - S+ S)^l v(1): S interpolates to the particles, S+ = m^-1 S^T M maps back, v(1) = mv/m. k = 1 is PIC.
-/// `Whole`: FMPM, the series acts on the velocity at t + dt. Otherwise XPIC: it acts on the velocity at t, and the lumped acceleration is added.
-/// Particles move with the mean of their old and new velocities.
-template <bool Whole> struct Series {
-    static constexpr const char* name = Whole ? "fmpm" : "xpic";
-    template <class Base> struct PointOf : Base {
-        Vec<Base::D> v_old = Vec<Base::D>::Zero();  // velocity before the step
-    };
+/// FMPM: the series acts on the velocity at t + dt. XPIC: it acts on the velocity at t, and the lumped acceleration is added.
+/// Particles move with the grid. (The papers move them with the mean of their old and new velocities; those are half a step before and after t
+/// here, so that x would lag by half a step: first order in dt, measured on the manufactured segment.)
+struct Fmpm {
+    int order = 2;             // k, number of terms [-]
+    bool whole = true;         // false: XPIC
+    const char* name = "fmpm";
+
+    template <class Point> using PointOf = Point;
     template <class Base> struct NodeOf : Base {
         Vec<Base::D> term = Vec<Base::D>::Zero(), mapped = Vec<Base::D>::Zero();  // one term of the series; its S^T M S, a momentum
     };
-    int order = 2;  // k, number of terms [-]
 
     template <class Point, class Node> const auto& velocity(const Point& p, const Node&) const { return p.v; }
 
     template <class Body, class Fix> void nodal_velocities(Body& body, Fix&& fix) const {
         using Node = typename Body::Node;
-        if constexpr (Whole) {
+        if (whole) {
             sum(body, &Node::mv_new, &Node::v_new, fix);
         } else {
             sum(body, &Node::mv, &Node::v, fix);
@@ -36,12 +37,11 @@ template <bool Whole> struct Series {
     }
 
     template <class Point, class Weights> void update_velocity(Point& p, const Weights& weights) const {
-        p.v_old = p.v;
         p.v.setZero();
         for (const auto& [node, phi, grad] : weights) p.v += phi * node.v_new;
     }
 
-    template <class Point, class Velocity> Velocity moving(const Point& p, const Velocity&) const { return 0.5 * (p.v_old + p.v); }
+    template <class Point, class Velocity> const Velocity& moving(const Point&, const Velocity& v) const { return v; }
 
 private:
     /// The incremental loop. A held velocity takes no term beyond the first: later ones would grow with k.
@@ -66,7 +66,6 @@ private:
     }
 };
 
-using Fmpm = Series<true>;
-using Xpic = Series<false>;
+inline Fmpm xpic(int order) { return {order, false, "xpic"}; }
 
 }  // namespace mpm

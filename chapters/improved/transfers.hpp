@@ -35,7 +35,7 @@ struct TransferChoice {
     /// Calls visit(transfer) for the chosen one.
     template <bool TotalLagrangian, class Visit> void with(Visit&& visit) const {
         if (name == "apic") visit(Apic<TotalLagrangian>{});
-        else if (name == "xpic") visit(Xpic{order});
+        else if (name == "xpic") visit(xpic(order));
         else if (name == "fmpm") visit(Fmpm{order});
         else if (name == "consistent") visit(consistent<TotalLagrangian>());
         else visit(Flip{alpha});

@@ -1,5 +1,5 @@
-/// velocity_projection: particles of a linear velocity field give it to the grid and take it back (review 5.5.1, figure 55), with every weighting
-/// function and every transfer: which of them keep the field, in the middle of the body and at its ends.
+/// velocity_projection: particles of a linear velocity field give it to the grid and take it back (review 5.5.1, figure 55), with every
+/// weighting function and every transfer: which of them keep the field, in the middle of the body and at its ends.
 ///   ./velocity_projection --cells 3 --ppc 1 --shape hat
 #include "chapters/improved/velocity_projection.hpp"
 
@@ -24,7 +24,8 @@ constexpr const char* purpose = "a linear velocity field from particles to the g
 const std::vector<std::string> transfers{"flip", "apic", "fmpm", "consistent", "mls"};
 
 /// All of them take particle velocities from the grid: the mix of FLIP and PIC is PIC.
-template <class Kernel> Projected project(const Settings& set, const std::string& transfer) {
+template <class Kernel>
+Projected project(const Settings& set, const std::string& transfer) {
     if (transfer == "apic") return projection::project<Kernel>(set, Apic<false>{});
     if (transfer == "fmpm") return projection::project<Kernel>(set, Fmpm{set.order});
     if (transfer == "mls") return projection::project<Kernel>(set, projection::Mls{{0}});
@@ -41,7 +42,8 @@ std::vector<Projected> project_all(const Settings& set) {
         AllShapes::with(shape, [&](auto kernel) {
             using Kernel = decltype(kernel);
             if (set.cells + 2 * set.pad < Kernel::min_cells)
-                throw BadInput("--cells = " + std::to_string(set.cells) + ": allowed for " + shape + " >= " + std::to_string(Kernel::min_cells));
+                throw BadInput("--cells = " + std::to_string(set.cells) + ": allowed for " + shape +
+                               " >= " + std::to_string(Kernel::min_cells));
             for (const std::string& transfer : transfers)
                 if (set.transfer == "all" || set.transfer == transfer) all.push_back(project<Kernel>(set, transfer));
         });
@@ -81,7 +83,8 @@ std::vector<Group> groups(const std::vector<Projected>& all) {
 }
 
 /// One file: the field beside what each transfer made of it, and its error in h.
-void write_columns(const std::string& path, const Group& group, double h, std::vector<double> Projected::*x, std::vector<double> Projected::*v) {
+void write_columns(const std::string& path, const Group& group, double h, std::vector<double> Projected::*x,
+                   std::vector<double> Projected::*v) {
     std::vector<std::string> names{"x", "v_exact"};
     for (const Projected* p = group.first; p != group.second; ++p) names.insert(names.end(), {"v_" + p->transfer, "error_" + p->transfer});
     CsvFile file(path, names);
@@ -93,7 +96,8 @@ void write_columns(const std::string& path, const Group& group, double h, std::v
     }
 }
 
-std::vector<std::string> write_files(const std::string& folder, const std::vector<Projected>& all, const Settings& set, const Options& options) {
+std::vector<std::string> write_files(const std::string& folder, const std::vector<Projected>& all, const Settings& set,
+                                     const Options& options) {
     std::vector<std::string> files{folder + "/run.ini", folder + "/projection.csv"};
     write_file(files[0], options.ini());
     CsvFile table(files[1], {"shape", "transfer", "node_middle", "node_ends", "particle_middle", "particle_ends", "verdict"});
@@ -108,16 +112,18 @@ std::vector<std::string> write_files(const std::string& folder, const std::vecto
         files.push_back(folder + "/particles_" + shape + ".csv");
         write_columns(files.back(), group, set.h(), &Projected::particle_x, &Projected::particle_v);
         std::vector<Curve> curves;
-        for (const Projected* p = group.first; p != group.second; ++p) curves.push_back({"error_" + p->transfer, p->transfer, "linespoints"});
+        for (const Projected* p = group.first; p != group.second; ++p)
+            curves.push_back({"error_" + p->transfer, p->transfer, "linespoints"});
         panels.push_back({shape, "x", "x [length]", "(v_I - v(x_I)) / h [1/time]", curves, "", nodes});
     }
-    files.push_back(write_figure(folder, program, panels.front().csv, "Error of the nodal velocities of a linear velocity field", panels, panels.size() > 1 ? 2 : 1));
+    files.push_back(write_figure(folder, program, panels.front().csv, "Error of the nodal velocities of a linear velocity field", panels,
+                                 panels.size() > 1 ? 2 : 1));
     return files;
 }
 
 void report(const std::vector<Projected>& all, const Settings& set, const std::vector<std::string>& files) {
-    std::printf("%s: %s\n%d cells, h = %.4g, %zu particles; largest errors over h: 1 is the difference between neighbouring nodes\n", program, purpose,
-                set.cells, set.h(), all.front().particle_x.size());
+    std::printf("%s: %s\n%d cells, h = %.4g, %zu particles; largest errors over h: 1 is the difference between neighbouring nodes\n",
+                program, purpose, set.cells, set.h(), all.front().particle_x.size());
     std::printf("                       at nodes                    at particles, back from the grid\n");
     std::printf("shape      transfer    middle half  near the ends  middle half  near the ends\n");
     for (const Projected& p : all)

@@ -1,5 +1,5 @@
-/// What velocity_projection does with one weighting function and one transfer: particles of a linear velocity field give it to the grid and take it
-/// back, by the transfer's own functions. Particles and nodes are compared with the field.
+/// What velocity_projection does with one weighting function and one transfer: particles of a linear velocity field give it to the grid and
+/// take it back, by the transfer's own functions. Particles and nodes are compared with the field.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -29,12 +29,13 @@ struct Settings {
 /// The field v(x) = x of review figure 55; its gradient is 1/time.
 inline double field(double x) { return x; }
 
-/// Linear moving least squares at the nodes (review D.3, the projection of iMPM, 5.39), cubic spline weight (D.6) with the support d = 2 h of review D.2.
-/// A node that sees fewer than two particles has no line through them: its velocity is not a number.
+/// Linear moving least squares at the nodes (review D.3, the projection of iMPM, 5.39), cubic spline weight (D.6) with the support d = 2 h
+/// of review D.2. A node that sees fewer than two particles has no line through them: its velocity is not a number.
 struct Mls : Flip {
     static constexpr const char* name = "mls";
 
-    template <class Body, class Fix> void nodal_velocities(Body& body, Fix&&) const {
+    template <class Body, class Fix>
+    void nodal_velocities(Body& body, Fix&&) const {
         const double d = 2 * body.grid.lattice().h()[0];
         for (int I = 0; I < body.grid.size(); ++I) {
             double s0 = 0, s1 = 0, s2 = 0, v0 = 0, v1 = 0;  // moments about the node: sum w r^k, sum w r^k v
@@ -73,11 +74,13 @@ struct Projected {
     std::string verdict = "ok";
 };
 
-/// Places in cells from the lower end of the body; the random numbers are the same in every run. Throws BadInput if a particle may leave the body.
+/// Places in cells from the lower end of the body; the random numbers are the same in every run. Throws BadInput if a particle may leave
+/// the body.
 inline std::vector<double> places(const Settings& set) {
     const double room = 0.5 / set.ppc;  // of each particle to both sides
     if (std::abs(set.offset) + set.jitter * room > room * (1 + 1e-12))
-        throw BadInput("--offset = " + std::to_string(set.offset) + ": allowed with this --ppc and --jitter up to " + std::to_string((1 - set.jitter) * room));
+        throw BadInput("--offset = " + std::to_string(set.offset) + ": allowed with this --ppc and --jitter up to " +
+                       std::to_string((1 - set.jitter) * room));
     const CellRule rule = middles(set.ppc);
     std::vector<double> all;
     std::uint32_t random = 1;
@@ -104,7 +107,8 @@ inline void judge(Projected& p, const Settings& set) {
 
 struct NoLaw {};
 
-template <class Kernel, class Transfer> Projected project(const Settings& set, const Transfer& transfer) {
+template <class Kernel, class Transfer>
+Projected project(const Settings& set, const Transfer& transfer) {
     using Point = typename Transfer::template PointOf<mpm::Point<1>>;
     using Node = typename Transfer::template NodeOf<mpm::Node<1>>;
     using Shape = Tensor<1, Kernel>;
@@ -129,7 +133,7 @@ template <class Kernel, class Transfer> Projected project(const Settings& set, c
 
     Projected result;
     result.shape = Kernel::name;
-    result.transfer = Transfer::name;
+    result.transfer = transfer.name;
     for (int I = 0; I < body.grid.size(); ++I) {
         if (!(body.grid[I].m > 0)) continue;
         result.node_x.push_back(lattice.position(I)[0]);

@@ -17,6 +17,29 @@
 
 namespace mpm {
 
+/// Gathers v_cm and energy of a vibrating bar at every step; the headline errors of the run.
+template <class Scene> struct WaveObserver {
+    const Scene& bar;
+    Oscillation wave{};
+
+    template <class Points> void sample(const Points& points, double t, double energy) {
+        wave.sample(t, bar.v_cm(points), bar.v_cm_exact(t), energy);
+    }
+    bool wants_energy(double t, double t_end) const { return t <= bar.period() || t >= t_end - bar.period(); }
+    /// Frequency against the exact one; amplitude kept; and the relative L2 error of v_cm, which is near 1 for every stable variant
+    /// after many periods, since a small frequency error has then put the phase out.
+    std::vector<NamedError> errors(double t_end) const {
+        return {{"frequency", std::abs(wave.omega() / bar.omega() - 1)},
+                {"energy", std::abs(wave.energy_kept(bar.period(), t_end) - 1)},
+                {"v_cm_L2", wave.relative_l2()}};
+    }
+    std::vector<std::pair<std::string, double>> facts(double t_end) const {
+        return {{"frequency / exact - 1", wave.omega() / bar.omega() - 1},
+                {"energy kept (last period / first)", wave.energy_kept(bar.period(), t_end)},
+                {"relative L2 error of v_cm", wave.relative_l2()}};
+    }
+};
+
 /// Mode n: v(x, 0) = v0 sin(beta x), beta = (2n - 1) pi/(2 L), omega = beta c (6.1)-(6.3). The velocity of the centre of mass is
 ///   v_cm(t) = cos(omega t) v0/L int_0^L sin(beta x) dx = v0/(beta L) [1 - cos(beta L)] cos(omega t) = v0/(beta L) cos(omega t),
 /// since beta L is an odd multiple of pi/2: the sign is the same for every mode.
@@ -58,8 +81,9 @@ template <bool TotalLagrangian> struct Bar {
     double cell_size(int cells) const { return length / cells; }
 
     /// A grid from the wall to the free end and, for updated-Lagrangian schemes, as far beyond it as the tip swings (v0/omega).
-    Lattice<1> lattice(int cells, int per_cell) const {
-        const double h = cell_size(cells), swing = TotalLagrangian ? 0 : std::ceil(1.5 * v0 / omega() / h);
+    Lattice<1> lattice(int cells, int per_cell) const { return swinging_lattice(cells, per_cell, 1.5 * v0 / omega()); }
+    Lattice<1> swinging_lattice(int cells, int per_cell, double reach) const {
+        const double h = cell_size(cells), swing = TotalLagrangian ? 0 : std::ceil(reach / h);
         if (!(swing < 1e7)) throw BadInput("--v0: the tip swings over " + std::to_string(swing) + " cells, at most 1e7 are allowed");
         const int pad = TotalLagrangian ? 0 : 2 + static_cast<int>(swing);
         return {Vec<1>(0), Vec<1>(h), {cells + pad}, per_cell};
@@ -94,28 +118,7 @@ template <bool TotalLagrangian> struct Bar {
         return {v_cm(points), v_cm_exact(t)};
     }
 
-    /// Gathers v_cm and energy at every step; the headline errors of the run.
-    struct Observer {
-        const Bar& bar;
-        Oscillation wave{};
-
-        template <class Points> void sample(const Points& points, double t, double energy) {
-            wave.sample(t, bar.v_cm(points), bar.v_cm_exact(t), energy);
-        }
-        bool wants_energy(double t, double t_end) const { return t <= bar.period() || t >= t_end - bar.period(); }
-        /// Frequency against the exact one; amplitude kept; and the relative L2 error of v_cm, which is near 1 for every stable variant
-        /// after many periods, since a small frequency error has then put the phase out.
-        std::vector<NamedError> errors(double t_end) const {
-            return {{"frequency", std::abs(wave.omega() / bar.omega() - 1)},
-                    {"energy", std::abs(wave.energy_kept(bar.period(), t_end) - 1)},
-                    {"v_cm_L2", wave.relative_l2()}};
-        }
-        std::vector<std::pair<std::string, double>> facts(double t_end) const {
-            return {{"frequency / exact - 1", wave.omega() / bar.omega() - 1},
-                    {"energy kept (last period / first)", wave.energy_kept(bar.period(), t_end)},
-                    {"relative L2 error of v_cm", wave.relative_l2()}};
-        }
-    };
+    using Observer = WaveObserver<Bar>;
 };
 
 }  // namespace mpm

@@ -1,5 +1,5 @@
-/// Two elastic bodies, each one cell long, fly at each other and rebound (review 3.2, figures 13 and 14): what a particle feels when it crosses
-/// into another cell.
+/// Two elastic bodies, each one cell long, fly at each other and rebound (review 3.2, figures 13 and 14): what a particle feels when it
+/// crosses into another cell.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -17,8 +17,8 @@
 
 namespace mpm {
 
-/// What particles feel from one step to the next. The edges of cells are no part of the problem, so strain rates and forces should change by O(dt) in a
-/// step, wherever a particle is; with hat functions both jump at an edge, however small the step.
+/// What particles feel from one step to the next. The edges of cells are no part of the problem, so strain rates and forces should change
+/// by O(dt) in a step, wherever a particle is; with hat functions both jump at an edge, however small the step.
 class CrossingMeter {
 public:
     double rate = 0;        // strain rate of the watched particle in the last step [1/time]
@@ -26,7 +26,8 @@ public:
     double force_jump = 0;  // largest change of a particle's acceleration from step to step [length/time^2]
     int crossings = 0;      // particle steps that ended in another cell
 
-    template <class Points> void see(const Points& points, std::size_t watched, double t, double h) {
+    template <class Points>
+    void see(const Points& points, std::size_t watched, double t, double h) {
         past_.resize(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {
             const double x = points[i].x[0], v = points[i].v[0], F = points[i].F(0, 0);
@@ -52,11 +53,12 @@ private:
     double t_ = 0;
 };
 
-/// The bodies fill the first and the last cell of [0, L] and have velocities v0 and -v0. They meet when they first share a node, which the weighting
-/// functions decide. Elastic bars of one length exchange their velocities and part without stress.
+/// The bodies fill the first and the last cell of [0, L] and have velocities v0 and -v0. They meet when they first share a node, which the
+/// weighting functions decide. Elastic bars of one length exchange their velocities and part without stress.
 ///
 /// Why hat functions fail: a particle alone at a distance r h from a node strains itself through its own nodes with the frequency
-/// c sqrt(sum grad^2/phi) = (c/h)/sqrt(r (1 - r)), which no time step follows as r goes to zero. Where the functions are smooth, grad^2/phi is bounded.
+/// c sqrt(sum grad^2/phi) = (c/h)/sqrt(r (1 - r)), which no time step follows as r goes to zero. Where the functions are smooth, grad^2/phi
+/// is bounded.
 struct TwoBodies {
     static constexpr int D = 1;
     static constexpr const char* name = "two-bodies";
@@ -77,7 +79,8 @@ struct TwoBodies {
         o.number("rho", rho, "mass/length", above(0), "density");
         o.number("length", length, "length", above(0), "distance of the bodies' outer ends");
         o.number("v0", v0, "length/time", above(0), "speed of each body");
-        o.number("offset", offset, "cells", between(-0.5, 0.5), "shift of both bodies against the grid; 0: they cross edges at the same time");
+        o.number("offset", offset, "cells", between(-0.5, 0.5),
+                 "shift of both bodies against the grid; 0: they cross edges at the same time");
         o.number("t-end", t_end, "time", above(0), "end of the run");
     }
 
@@ -90,12 +93,14 @@ struct TwoBodies {
     /// Beyond both ends as far as the bodies can fly, and two cells more for the reach of the smooth functions.
     Lattice<1> lattice(int, int per_cell) const {
         const double flight = std::ceil(v0 * t_end / h());
-        if (!(flight < 1e6)) throw BadInput("--v0, --t-end: the bodies fly over " + std::to_string(flight) + " cells, at most 1e6 are allowed");
+        if (!(flight < 1e6))
+            throw BadInput("--v0, --t-end: the bodies fly over " + std::to_string(flight) + " cells, at most 1e6 are allowed");
         const int pad = 2 + static_cast<int>(flight);
         return {Vec<1>(-pad * h()), Vec<1>(h()), {cells + 2 * pad}, per_cell};
     }
 
-    template <class Point> std::vector<Point> particles(int, int ppc) const {
+    template <class Point>
+    std::vector<Point> particles(int, int ppc) const {
         const CellRule rule = middles(ppc);
         std::vector<Point> all;
         for (const int direction : {1, -1})
@@ -109,12 +114,18 @@ struct TwoBodies {
             }
         return all;
     }
-    template <class Points> static std::size_t inner(const Points& points) { return points.size() / 2 - 1; }
+    template <class Points>
+    static std::size_t inner(const Points& points) {
+        return points.size() / 2 - 1;
+    }
 
-    template <class Body> void load(Body&, double) const {}
-    template <class Grid, class Field> void fix(Grid&, Field, double) const {}
+    template <class Body>
+    void load(Body&, double) const {}
+    template <class Grid, class Field>
+    void fix(Grid&, Field, double) const {}
 
-    template <class Points> std::array<double, 4> watch(const Points& points, double) const {
+    template <class Points>
+    std::array<double, 4> watch(const Points& points, double) const {
         const auto& p = points[inner(points)];
         return {p.x[0], p.v[0], p.sigma(0, 0), meter->rate};
     }
@@ -124,7 +135,8 @@ struct TwoBodies {
         const TwoBodies& scene;
         double strain = 0, v = 0;  // strain energy; velocity of the first body
 
-        template <class Points> void sample(const Points& points, double t, double) {
+        template <class Points>
+        void sample(const Points& points, double t, double) {
             scene.meter->see(points, inner(points), t, scene.h());
             strain = v = 0;
             for (const auto& p : points) strain += scene.law().energy(p);

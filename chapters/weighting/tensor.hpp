@@ -1,7 +1,6 @@
 /// Weighting functions that are products of one-dimensional ones (review 3.3), and their total-Lagrangian store.
 #pragma once
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "lab/stencil.hpp"
@@ -18,7 +17,7 @@ namespace mpm {
 /// Kernels fold what reaches past an end of the grid onto the grid: c_-1 = 2 c_0 - c_1 (zero second derivative, review 3.4).
 template <int D, class KernelType> struct Tensor {
     using Kernel = KernelType;
-    static constexpr int N = Kernel::support;
+    static constexpr int dim = D, N = Kernel::support;
     static constexpr bool total_lagrangian = false;
 
     Lattice<D> lattice;
@@ -36,22 +35,21 @@ template <int D, class KernelType> struct Tensor {
     template <class Point> [[gnu::always_inline]] Stencil<D, power(N, D)> operator()(const Point& p, std::size_t) const { return at(p.x, p); }
 };
 
-/// Weights evaluated once, at the initial positions, and kept: the shape of every total-Lagrangian scheme (review 2.6).
-template <class Shape> class Stored {
+/// Weights evaluated once, at the initial positions, and kept: the shape of every total-Lagrangian scheme (review 2.6). They have forgotten their
+/// function: a step is compiled for each size of stencil, not for each function.
+template <int D, int Support> class StoredWeights {
 public:
-    using Kernel = typename Shape::Kernel;
-    static constexpr int N = Kernel::support;
     static constexpr bool total_lagrangian = true;
-    Stored() = default;
-    template <class Points> Stored(const Shape& shape, const Points& points) {
+    StoredWeights() = default;
+    template <class Shape, class Points> StoredWeights(const Shape& shape, const Points& points) {
         stencils_.reserve(points.size());
         for (const auto& p : points) stencils_.push_back(shape.at(p.X, p));
     }
     template <class Point> const auto& operator()(const Point&, std::size_t i) const { return stencils_[i]; }
 
 private:
-    using StencilType = decltype(std::declval<const Shape&>().at(std::declval<const Shape&>().lattice.origin(), 0));
-    std::vector<StencilType> stencils_;
+    std::vector<Stencil<D, power(Support, D)>> stencils_;
 };
+template <class Shape> using Stored = StoredWeights<Shape::dim, Shape::N>;
 
 }  // namespace mpm

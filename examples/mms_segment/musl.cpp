@@ -4,6 +4,6 @@
 
 namespace mpm {
 
-Assembled musl_segment(const SegmentSettings& s, int cells) { return segment<UpdatedShapes, false>(s, Musl{}, s.transfer, cells); }
+Assembled musl_segment(const SegmentSettings& s, int cells) { return segment<UpdatedShapes, false>(s, Musl{}, cells); }
 
 }  // namespace mpm

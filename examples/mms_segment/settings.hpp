@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "chapters/explicit/flip.hpp"
+#include "chapters/improved/transfers.hpp"
 #include "chapters/mms/segment.hpp"
 #include "lab/program.hpp"
 
@@ -11,7 +11,7 @@ namespace mpm {
 struct SegmentSettings {
     Common common;
     Segment<false> scene;
-    Flip transfer;
+    TransferChoice transfer;
     std::string scheme = "tlmpm", formulation = "total";
 };
 

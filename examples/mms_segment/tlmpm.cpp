@@ -4,6 +4,6 @@
 
 namespace mpm {
 
-Assembled tlmpm_segment(const SegmentSettings& s, int cells) { return segment<AllShapes, true>(s, Tlmpm{}, s.transfer, cells); }
+Assembled tlmpm_segment(const SegmentSettings& s, int cells) { return segment<AllShapes, true>(s, Tlmpm{}, cells); }
 
 }  // namespace mpm

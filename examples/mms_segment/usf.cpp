@@ -4,6 +4,6 @@
 
 namespace mpm {
 
-Assembled usf_segment(const SegmentSettings& s, int cells) { return segment<UpdatedShapes, false>(s, Usf{}, s.transfer, cells); }
+Assembled usf_segment(const SegmentSettings& s, int cells) { return segment<UpdatedShapes, false>(s, Usf{}, cells); }
 
 }  // namespace mpm

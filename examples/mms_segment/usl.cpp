@@ -4,6 +4,6 @@
 
 namespace mpm {
 
-Assembled usl_segment(const SegmentSettings& s, int cells) { return segment<UpdatedShapes, false>(s, Usl{}, s.transfer, cells); }
+Assembled usl_segment(const SegmentSettings& s, int cells) { return segment<UpdatedShapes, false>(s, Usl{}, cells); }
 
 }  // namespace mpm

@@ -63,7 +63,8 @@ TEST(MmsSegment, RepeatsItsRunFromTheSettings) {
 TEST(MmsSegment, SaysWhereTheStandardMpmFails) {
     const Folder folder;
     const auto run = [&](const char* cells, const char* watch) {
-        return folder.run(program, {"--scheme", "usf", "--ppc", "2", "--G", "0.05", "--cells", cells, "--watch", watch, "--out", "run"}).code;
+        const Words words{"--scheme", "usf", "--ppc", "2", "--G", "0.05", "--cells", cells, "--watch", watch, "--out", "run"};
+        return folder.run(program, words).code;
     };
     EXPECT_EQ(run("16,256", "stop"), 3);
     const auto table = csv(folder.read("run/summary.csv"));

@@ -6,9 +6,7 @@
 #include "chapters/fem/total.hpp"
 #include "chapters/fem/updated.hpp"
 #include "chapters/scenes/bar.hpp"
-#include "chapters/weighting/shapes.hpp"
-#include "chapters/weighting/tensor.hpp"
-#include "lab/assemble.hpp"
+#include "chapters/weighting/assemble_with.hpp"
 
 namespace mpm::test {
 namespace {
@@ -17,15 +15,13 @@ struct Outcome {
     double frequency, energy;  // against the exact one - 1; last period over first
 };
 template <class Scheme, class Kernel = Hat> Outcome vibrate(int cells, int gauss, int mode, double t_end = 40) {
-    using Moving = Tensor<1, Kernel>;
     Bar<true> bar;
     bar.mode = mode;
     bar.placing = "gauss";
     Common common;
     common.ppc = gauss;
     common.t_end = t_end;
-    const auto shape = [](const auto& lattice, const auto& points) { return Stored<Moving>(Moving{lattice}, points); };
-    const Assembled a = assemble<Stored<Moving>>(Scheme{}, bar, NoTransfer{}, cells, common, shape);
+    const Assembled a = assemble_with<Kernel, true>(Scheme{}, bar, NoTransfer{}, cells, common);
     const int steps = static_cast<int>(std::ceil(t_end / (0.1 * bar.cell_size(cells) / 10) - 1e-9));  // dt = 0.1 h/c, c = 10
     const double dt = t_end / steps;
     a.simulation.sample(0, a.simulation.measure().total());

@@ -34,13 +34,11 @@ struct Ghost : Segment<false> {
     }
 };
 double ghost_e1(double G) {
-    using Moving = Tensor<1, Ugimp>;
     Ghost scene;
     scene.G = G;
     Common common;
     common.ppc = 2;
-    const auto shape = [](const auto& lattice, const auto&) { return Moving{lattice, sized<Ugimp>(2)}; };
-    const Assembled a = assemble<Moving>(Usl{}, scene, Flip{}, 64, common, shape);
+    const Assembled a = assemble_with<Ugimp, false>(Usl{}, scene, Flip{}, 64, common);
     return run_segment(a, scene, 64, 1).e1;
 }
 TEST(SegmentGimp, HasTheRowsOfNumbersWithGhostNodes) {
