@@ -51,6 +51,30 @@ for start in uniform smooth; do
     for k in 2 4 8 16; do run column-c-$start-fmpm$k tlmpm_column $c --transfer fmpm --order $k; done
     run column-c-$start-fem fem_column $c
 done
+# Full order of the basis: consistent mass, steps so small that the leapfrog's error does not show.
+for shape in hat bernstein cubic; do
+    ppc=2; [ $shape = bernstein ] && ppc=3
+    run order-$shape mms_segment --scheme tlmpm --shape $shape --transfer consistent --points gauss --ppc $ppc --cfl 0.0116 --cells 4,8,16,32
+done
+run order-lumped mms_segment --scheme tlmpm --shape cubic --points gauss --ppc 2 --cfl 0.0116 --cells 4,8,16,32
+run order-fem mms_segment --scheme fem --ppc 2 --cfl 0.0116 --cells 4,8,16,32
+
+# Variants side by side: error against run time of the segment, largest stable steps and stiff cases of the bar.
+segment() { printf ' -- mms_segment --G 0.05 --ppc 2 %s' "$*"; }
+echo "comparing variants of mms_segment"
+"$build/compare" --cells 8,16,32,64,128 --quiet --fresh --out "$figures/data/segment" $(
+    segment '--scheme fem'; segment '--scheme fem --shape lagrange'; segment '--scheme tlmpm'; segment '--scheme tlmpm --shape bernstein'
+    segment '--scheme tlmpm --shape cubic'; segment '--scheme tlmpm --transfer apic'; segment '--scheme tlmpm --shape cubic --transfer fmpm --order 4'
+    segment '--scheme tlmpm --shape cubic --transfer consistent --points gauss'; segment '--scheme usl'; segment '--scheme usl --shape cpgimp'
+    segment '--scheme usl --shape cpgimp --transfer fmpm'; segment '--scheme usl --shape cubic')
+cp "$figures/data/segment/work_precision.png" "$figures/segment_work_precision.png"
+cp "$figures/data/segment/convergence.png" "$figures/segment_convergence.png"
+echo "looking for the largest stable steps"
+"$build/stability" --quiet --tolerance 0.02 --contrast 1,1e2 --finest 256 --out "$figures/data/stability" -- contrast_bar --scheme usl \
+    -- contrast_bar --scheme usf -- contrast_bar --scheme musl -- contrast_bar --scheme tlmpm -- contrast_bar --scheme tlmpm --transfer apic \
+    -- contrast_bar --scheme tlmpm --transfer fmpm -- contrast_bar --scheme musl --shape cubic -- contrast_bar --scheme usl --shape cpgimp
+cp "$figures/data/stability/stability_steps.png" "$figures/data/stability/stability_map.png" "$figures"
+
 export GNUPLOT_LIB="$plots"
 for recipe in "$plots"/*.gp; do
     name=$(basename "$recipe" .gp)

@@ -116,17 +116,24 @@ Words short_names(const std::vector<Variant>& variants, std::string& shared) {
     const auto common = [&](const auto& setting) {
         return std::all_of(variants.begin(), variants.end(), [&](const Variant& v) { return v.value(setting.first) == setting.second; });
     };
+    const bool several = variants.size() > 1, one_program = several && std::all_of(variants.begin(), variants.end(), [&](const Variant& v) {
+                                                    return v.program == variants.front().program && !std::all_of(v.settings.begin(), v.settings.end(), common);
+                                                });
+    const Words plain{"scheme", "shape", "transfer", "law", "case"};  // whose values speak for themselves
     Words names, cut, same;
+    if (one_program) same.push_back(variants.front().program);
     for (const Variant& v : variants) {
-        std::string name = v.program;
-        for (const auto& setting : v.settings) {
-            const std::string text = setting.first + " = " + setting.second;
-            if (variants.size() == 1 || !common(setting))
-                name += ", " + text;
+        Words name;
+        if (!one_program) name.push_back(v.program);
+        for (const auto& [option, value] : v.settings) {
+            const std::string text = option + " = " + value;
+            if (!several || !common(std::pair(option, value)))
+                name.push_back(holds(plain, option) ? value : text);
             else if (!holds(same, text))
                 same.push_back(text);
         }
-        cut.push_back(one_line(name, longest_name));
+        if (name.empty()) name.push_back(v.program);
+        cut.push_back(one_line(joined(name, ", "), longest_name));
         const auto twins = std::count(cut.begin(), cut.end(), cut.back());
         names.push_back(cut.back() + (twins > 1 ? " (" + std::to_string(twins) + ")" : ""));
     }

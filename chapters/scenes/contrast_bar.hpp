@@ -29,7 +29,7 @@ template <bool TotalLagrangian> struct ContrastBar : Bar<TotalLagrangian> {
     using Law = Halves<typename Bar<TotalLagrangian>::Law>;
     using Bar<TotalLagrangian>::E, Bar<TotalLagrangian>::rho, Bar<TotalLagrangian>::length, Bar<TotalLagrangian>::v0;
 
-    double contrast = 1e4;  // E of the outer half over E of the inner one
+    double contrast = 1;  // E of the outer half over E of the inner one [-]
 
     void declare(Options& o) {
         o.number("contrast", contrast, "-", above(0), "modulus of the outer half over that of the inner one");
