@@ -75,7 +75,7 @@ std::vector<std::string> write_error_figures(const Subject& s, std::vector<std::
         files.push_back(s.folder + "/" + name + ".gp");
         names.push_back(name);
     };
-    const std::string y = "set ylabel " + plain("error: " + s.error + " [-]") + "\n" + span('y', error);
+    const std::string y = "set ylabel " + plain("error: " + s.error) + "\n" + span('y', error);
     if (!seconds.empty())
         write("work_precision",
               script_head("work_precision", 1100, 740 + legend_height(s.series.size()), title(s, "Error against run time")) +

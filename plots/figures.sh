@@ -60,7 +60,7 @@ run order-lumped mms_segment --scheme tlmpm --shape cubic --points gauss --ppc 2
 run order-fem mms_segment --scheme fem --ppc 2 --cfl 0.0116 --cells 4,8,16,32
 
 # Variants side by side: error against run time of the segment, largest stable steps and stiff cases of the bar.
-segment() { printf ' -- mms_segment --G 0.05 --ppc 2 %s' "$*"; }
+segment() { printf ' -- mms_segment --G 0.05 --ppc 2 --repeat 5 %s' "$*"; }
 echo "comparing variants of mms_segment"
 "$build/compare" --cells 8,16,32,64,128 --quiet --fresh --out "$figures/data/segment" $(
     segment '--scheme fem'; segment '--scheme fem --shape lagrange'; segment '--scheme tlmpm'; segment '--scheme tlmpm --shape bernstein'

@@ -15,8 +15,8 @@ set yrange [1e-12:1e-3]
 set key bottom right Left reverse samplen 3
 e1(x) = stringcolumn('error_name') eq 'e1' ? x : NaN
 file(name) = 'data/order-'.name.'/summary.csv'
-set label 1 'order 4' at 2**-4.35,1.1e-10 textcolor rgb '#606060'
-set label 2 'order 2' at 2**-4.9,4e-7 textcolor rgb '#606060'
+set label 1 'order 4' at 2**-4.0,4e-11 textcolor rgb '#606060'
+set label 2 'order 2' at 2**-4.6,1.1e-6 textcolor rgb '#606060'
 plot file('lumped') using (column('h')):(e1(column('error'))) with linespoints lt 4 pt 13 ps 1.5 title 'cubic, FLIP (lumped mass)', \
      file('fem') using (column('h')):(e1(column('error'))) with linespoints lt 1 pt 5 ps 1.5 title 'finite elements, linear, lumped', \
      file('hat') using (column('h')):(e1(column('error'))) with linespoints lt 3 pt 7 ps 1.5 title 'hat, consistent: order 2', \
