@@ -1,22 +1,24 @@
 # The thin front door. `make figures` sets up, builds and draws; `make check` passes the tests.
 MAKEFLAGS += --no-print-directory
 JOBS ?= $(shell nproc)
-.PHONY: all setup build check mutants figures sanitize bench clean
+.PHONY: all setup configure build check mutants figures sanitize bench clean
 .DEFAULT_GOAL := all
 
 all: build
 setup:
 	@./plots/setup.sh
-build: setup
+configure: setup
 	@cmake --preset release >build.log 2>&1 || { cat build.log; exit 1; }
 	@rm -f build.log
+build: configure
 	cmake --build build -j$(JOBS)
 check: build
 	cd build && ctest --output-on-failure -j$(JOBS)
 # Breaks one line of a scheme at a time; every break must be noticed by a test. A few minutes.
 mutants: setup
 	./tests/mutants/run.sh $(JOBS)
-figures: build
+figures: configure
+	cmake --build build -j$(JOBS) --target programs
 	./plots/figures.sh build figures
 sanitize: setup
 	cmake --preset debug
@@ -25,7 +27,8 @@ sanitize: setup
 bench: build
 	cmake --build build --target benchmark_step
 	./build/benchmark_step
-%: build
+%: configure
+	cmake --build build -j$(JOBS) --target $@
 	@test -x build/$@ || { echo "no such program: $@"; exit 2; }
 clean:
 	rm -rf build build-native build-debug figures

@@ -70,7 +70,7 @@ echo "comparing variants of mms_segment"
 cp "$figures/data/segment/work_precision.png" "$figures/segment_work_precision.png"
 cp "$figures/data/segment/convergence.png" "$figures/segment_convergence.png"
 echo "looking for the largest stable steps"
-"$build/stability" --quiet --tolerance 0.02 --contrast 1,1e2 --finest 256 --out "$figures/data/stability" -- contrast_bar --scheme usl \
+"$build/stability" --quiet --tolerance 0.05 --contrast 1,1e2 --finest 256 --out "$figures/data/stability" -- contrast_bar --scheme usl \
     -- contrast_bar --scheme usf -- contrast_bar --scheme musl -- contrast_bar --scheme tlmpm -- contrast_bar --scheme tlmpm --transfer apic \
     -- contrast_bar --scheme tlmpm --transfer fmpm -- contrast_bar --scheme musl --shape cubic -- contrast_bar --scheme usl --shape cpgimp
 cp "$figures/data/stability/stability_steps.png" "$figures/data/stability/stability_map.png" "$figures"

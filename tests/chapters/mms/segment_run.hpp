@@ -23,10 +23,10 @@ template <class Scheme> constexpr bool is_fem = std::is_same_v<Scheme, TotalFem>
 template <class Scheme> constexpr bool total_lagrangian = is_fem<Scheme> || std::is_same_v<Scheme, Tlmpm>;
 template <class Scheme> using SegmentTransfer = std::conditional_t<is_fem<Scheme>, NoTransfer, Flip>;
 
-/// `part` of a period in steps of 0.2 h/c, c = sqrt(E/rho), or near to it.
-inline SegmentRun run_segment(const Assembled& a, const SegmentMotion& motion, int cells, double part) {
+/// `part` of a period in steps of `courant` h/c, c = sqrt(E/rho), or near to it.
+inline SegmentRun run_segment(const Assembled& a, const SegmentMotion& motion, int cells, double part, double courant = 0.2) {
     const Simulation& s = a.simulation;
-    const int steps = static_cast<int>(std::ceil(part * 10 * cells / motion.mode - 1e-9));  // a period is 2/(k c)
+    const int steps = static_cast<int>(std::ceil(part * 2 / courant * cells / motion.mode - 1e-9));  // a period is 2/(k c)
     const double dt = part * motion.period() / steps;
     const Measures first = s.measure();
     s.sample(0, 0);
