@@ -28,8 +28,7 @@ bench: build
 	cmake --build build --target benchmark_step
 	./build/benchmark_step
 %: configure
-	cmake --build build -j$(JOBS) --target $@
-	@test -x build/$@ || { echo "no such program: $@"; exit 2; }
+	cmake --build build -j$(JOBS) --target $@ || { echo "no such program: $@"; exit 2; }
 clean:
 	rm -rf build build-native build-debug figures
 Makefile: ;
