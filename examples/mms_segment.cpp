@@ -35,6 +35,7 @@ void check(const Options& options, SegmentSettings& s, const Choice& choice) {
     if (s.formulation != "total" && !elements) throw BadInput("--formulation: only --scheme fem has one, not " + s.scheme);
     if (elements && (s.transfer.name != "flip" || s.transfer.alpha != 1))
         throw BadInput("--transfer, --alpha: --scheme fem has no particles to carry velocities");
+    if (s.stress != "musl" && s.scheme != "tlmpm") throw BadInput("--stress: only --scheme tlmpm has two flavours, not " + s.scheme);
     s.transfer.check(s.common.ppc);
     if (elements && options.given("points") && s.scene.placing != "gauss") throw BadInput("--points mid: " + scheme + " has Gauss points");
     if (elements) s.scene.placing = "gauss";
@@ -55,6 +56,7 @@ int run(int argc, char** argv) {
     s.common.cfl = 0.2;
     options.choice("scheme", s.scheme, schemes, "method");
     options.choice("formulation", s.formulation, {"total", "updated"}, "of --scheme fem: on the initial configuration or the moved mesh");
+    options.choice("stress", s.stress, {"musl", "usl"}, "of --scheme tlmpm: velocities of the stress update mapped twice (musl) or not (usl)");
     s.scene.declare(options);
     s.transfer.declare(options);
     s.common.declare(options, shapes, s.scene.period());

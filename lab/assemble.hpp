@@ -22,9 +22,10 @@ template <class Scheme, class Transfer, int D> using NodeFor = typename Transfer
 
 /// One resolution of a scene without its weights, shared by the functions that the run loop calls: compiled once for all shapes.
 ///
-/// A scene tells its law, lattice(cells, nodes per cell), particles<Point>(cells, ppc), load(body, t), fix(grid, field, t), speed(), wave_speed(), watch(points, t)
-/// and an Observer. It may also tell held_force(grid), the force on held velocity components, from which the momentum balance takes the impulse
-/// of walls; supply(bodies, t, dt), impulse and work of its loads; animated(), what a gif shows; may_break, if gaps in its bodies are no defect.
+/// A scene tells its law, lattice(cells, nodes per cell), particles<Point>(cells, ppc), load(body, t), fix(grid, field, t), speed(),
+/// wave_speed(), watch(points, t) and an Observer. It may also tell held_force(grid), the force on held velocity components, from which the
+/// momentum balance takes the impulse of walls; supply(bodies, t, dt), impulse and work of its loads; animated(), what a gif shows;
+/// may_break, if gaps in its bodies are no defect.
 template <class Scene, class Matter> struct Problem {
     static constexpr int D = Scene::D;
 
@@ -38,7 +39,7 @@ template <class Scene, class Matter> struct Problem {
     std::vector<Coverage<D>> coverage;                      // of bodies that can come apart
     NodeWatch nodes;
     bool watches_nodes = false;
-    double cutoff = 0;                                      // the scheme's, if it has one [mass]
+    double cutoff = 0;  // the scheme's, if it has one [mass]
     typename Scene::Observer observer;
 
     void keep() {
@@ -122,8 +123,9 @@ struct Combination {
 };
 
 /// The rest of a resolution whose bodies stand: the watches, and all that the loop and the report call but the step.
-template <class Scene, class Matter>
-[[gnu::cold]] Assembled watched_and_reported(const std::shared_ptr<Problem<Scene, Matter>>& s, const Combination& combination, int cells, const Common& common) {
+template <class Scene, class Matter> [[gnu::cold]] Assembled watched_and_reported(const std::shared_ptr<Problem<Scene, Matter>>& s,
+                                                                                  const Combination& combination, int cells,
+                                                                                  const Common& common) {
     const Scene& scene = s->scene;
     const Vec<Scene::D> h = s->bodies[0]->grid.lattice().h();
     s->watches_nodes = !combination.total_lagrangian;
@@ -150,19 +152,22 @@ template <class Scene, class Matter>
     a.errors = [s](double t_end) { return s->observer.errors(t_end); };
     a.facts = [s](double t_end) { return s->observer.facts(t_end); };
     a.nodes = [s] { return s->nodes; };
-    if constexpr (requires { scene.animated(); }) a.animated = scene.animated();
-    else if constexpr (Scene::D == 2) a.animated = {"x", "y", "sxx", "x [length]", "y [length]", "σ_{xx} [force/area]"};
+    if constexpr (requires { scene.animated(); })
+        a.animated = scene.animated();
+    else if constexpr (Scene::D == 2)
+        a.animated = {"x", "y", "sxx", "x [length]", "y [length]", "σ_{xx} [force/area]"};
     return a;
 }
 
-template <class Matter, class Scene> [[gnu::cold]] Matter matter_of(const Scene& scene, const Lattice<Scene::D>& lattice, int cells, int ppc) {
+template <class Matter, class Scene>
+[[gnu::cold]] Matter matter_of(const Scene& scene, const Lattice<Scene::D>& lattice, int cells, int ppc) {
     return {scene.template particles<typename Matter::Point>(cells, ppc), Grid<Scene::D, typename Matter::Node>(lattice), scene.law()};
 }
 
 /// `make_shape(lattice, points)` gives the body's weighting function.
 template <class Shape, class Scheme, class Scene, class Transfer, class MakeShape>
-[[gnu::cold]] Assembled assemble(const Scheme& scheme, const Scene& scene, const Transfer& transfer, const ShapeFacts& facts, int cells, const Common& common,
-                                   MakeShape&& make_shape) {
+[[gnu::cold]] Assembled assemble(const Scheme& scheme, const Scene& scene, const Transfer& transfer, const ShapeFacts& facts, int cells,
+                                 const Common& common, MakeShape&& make_shape) {
     constexpr int D = Scene::D;
     using Point = PointFor<Scheme, Transfer, D>;
     using Node = NodeFor<Scheme, Transfer, D>;

@@ -46,7 +46,8 @@ private:
         for (int d = 0; d < D; ++d) {
             if (!lattice_.holds(p.x[d], d)) return;  // not a number, or outside: the next step says so
             const auto axis = static_cast<std::size_t>(d);
-            const double xi = lattice_.in_cells(p.x[d], d), half = 0.5 * size * p.F.row(d).template lpNorm<1>() * lattice_.per_h()[d] + 0.25;
+            const double xi = lattice_.in_cells(p.x[d], d),
+                         half = 0.5 * size * p.F.row(d).template lpNorm<1>() * lattice_.per_h()[d] + 0.25;
             const double last = lattice_.cells(d) - 1, own = std::clamp(std::floor(xi), 0.0, last);
             low[axis] = static_cast<int>(std::clamp(std::ceil(xi - half - 0.5), 0.0, own));
             high[axis] = static_cast<int>(std::clamp(std::floor(xi + half - 0.5), own, last));
@@ -102,8 +103,8 @@ public:
         }
     }
     static constexpr double tiny = 1e-6;
-    double smallest = 1;                   // nodal mass / particle mass
-    long tiny_nodes = 0, cut_nodes = 0;    // node steps
+    double smallest = 1;                 // nodal mass / particle mass
+    long tiny_nodes = 0, cut_nodes = 0;  // node steps
 };
 
 }  // namespace mpm

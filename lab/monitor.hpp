@@ -86,9 +86,9 @@ template <int D, class Point, class Node, class Law> std::string fastest_particl
 
 /// Energy that the balance kinetic + strain + dissipated - work cannot account for: growth by more than 5 % of the energy in play.
 ///
-/// Kinetic and strain energy are known half a step apart, so that the sum of a stable vibration swings by sin(omega dt/2) of itself to either side. It
-/// swings by more than 5 % only where a period has fewer than 126 steps, the swing 63: growth that stays through `patience` steps is no
-/// swing, nor is growth beyond twice the largest, that of the shortest waves.
+/// Kinetic and strain energy are known half a step apart, so that the sum of a stable vibration swings by sin(omega dt/2) of itself to
+/// either side. It swings by more than 5 % only where a period has fewer than 126 steps, the swing 63: growth that stays through `patience`
+/// steps is no swing, nor is growth beyond twice the largest, that of the shortest waves.
 class EnergyWatch {
 public:
     /// `step_ratio` is dt over h/(c + |v|), which bounds omega dt/2.

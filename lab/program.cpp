@@ -22,7 +22,8 @@ RunPlan plan_of(const Common& c, const Assembled& a, const std::string& folder, 
     const double wanted = c.dt > 0 ? c.dt : c.cfl * a.critical_dt;
     const double steps = std::ceil(c.t_end / wanted * (1 - 1e-12));
     if (!(steps < 1e10))
-        throw BadInput("--t-end or --dt, --cfl: the time step " + number_text(wanted) + " needs more than 1e10 steps to reach " + number_text(c.t_end));
+        throw BadInput("--t-end or --dt, --cfl: the time step " + number_text(wanted) + " needs more than 1e10 steps to reach " +
+                       number_text(c.t_end));
     plan.steps = std::max(1L, static_cast<long>(steps));
     plan.dt = c.t_end / static_cast<double>(plan.steps);  // whole steps: the last one ends at t_end
     plan.t_end = c.t_end;
@@ -44,39 +45,53 @@ void figure(const Description& about, const Common& c, const std::string& folder
     std::vector<Panel> panels = about.panels;
     std::vector<Curve> own;
     for (const std::string& name : about.columns)
-        own.push_back({name, name.ends_with("_exact") ? "exact" : "computed", name.ends_with("_exact") ? "lines dt 2 lc rgb 'black'" : "lines dt solid lc rgb '#c03030'"});
+        own.push_back({name, name.ends_with("_exact") ? "exact" : "computed",
+                       name.ends_with("_exact") ? "lines dt 2 lc rgb 'black'" : "lines dt solid lc rgb '#c03030'"});
     if (panels.empty()) panels.push_back({"", "t", "time t [time]", "v_{cm} [length/time]", own, first});
-    panels.push_back({"", "t", "time t [time]", "energy [force length]",
-                      {{"kinetic", "kinetic", "lines dt (8,3) lc rgb '#3060c0'"}, {"strain", "strain", "lines dt (2,3) lc rgb '#40a040'"}, {"total", "total", "lines dt solid lc rgb 'black'"}}, first});
+    panels.push_back({"",
+                      "t",
+                      "time t [time]",
+                      "energy [force length]",
+                      {{"kinetic", "kinetic", "lines dt (8,3) lc rgb '#3060c0'"},
+                       {"strain", "strain", "lines dt (2,3) lc rgb '#40a040'"},
+                       {"total", "total", "lines dt solid lc rgb 'black'"}},
+                      first});
     files.push_back(write_figure(folder, about.program, "history.csv", about.program + ": " + about.solves, panels));
     if (c.plot != "gif") add_picture(folder, about.program, c.plot, files);
 }
 
 /// The snapshots of a run and how to animate them.
-void animation(const Description& about, const Common& c, const Assembled& a, const std::string& folder, const RunResult& r, std::vector<std::string>& files) {
+void animation(const Description& about, const Common& c, const Assembled& a, const std::string& folder, const RunResult& r,
+               std::vector<std::string>& files) {
     if (r.frames.empty()) return;
     const std::string name = about.program + "_animation";
-    for (const std::string& path : write_animation(folder, name, about.program + ": " + about.solves, a.animated, r.frames)) files.push_back(path);
+    for (const std::string& path : write_animation(folder, name, about.program + ": " + about.solves, a.animated, r.frames))
+        files.push_back(path);
     if (c.plot == "gif") add_picture(folder, name, c.plot, files);
 }
 
 /// Events that are legal but should be rare are counted and said.
 void rare_events(const NodeWatch& nodes) {
     if (nodes.tiny_nodes > 0)
-        std::printf("  %-36s %12.3e of a particle's; below %.0e at %ld node steps\n", "smallest nodal mass", nodes.smallest, NodeWatch::tiny, nodes.tiny_nodes);
-    if (nodes.cut_nodes > 0) std::printf("  %-36s %12ld node steps, their momentum is lost\n", "left out by the mass cut-off", nodes.cut_nodes);
+        std::printf("  %-36s %12.3e of a particle's; below %.0e at %ld node steps\n", "smallest nodal mass", nodes.smallest,
+                    NodeWatch::tiny, nodes.tiny_nodes);
+    if (nodes.cut_nodes > 0)
+        std::printf("  %-36s %12ld node steps, their momentum is lost\n", "left out by the mass cut-off", nodes.cut_nodes);
 }
 
 void report(const Assembled& a, const RunResult& r, const RunPlan& plan, double t_end) {
     std::printf("%s, %s, %s: %d cells, h = %.4g, %ld particles, dt = %.4g (%.3g of h/(c + |v|)), %ld steps\n", a.row.scheme.c_str(),
-                a.row.shape.c_str(), a.row.transfer.c_str(), a.row.cells, a.row.h, a.row.particles, plan.dt, plan.dt / plan.critical_dt, r.steps);
+                a.row.shape.c_str(), a.row.transfer.c_str(), a.row.cells, a.row.h, a.row.particles, plan.dt, plan.dt / plan.critical_dt,
+                r.steps);
     if (!r.stopped)
         for (const auto& [name, value] : a.facts(t_end)) std::printf("  %-36s %12.5g\n", name.c_str(), value);
-    std::printf("  %-36s %12.3e\n  %-36s %12.3e\n", "energy drift / energy in play", r.energy_drift, "momentum unaccounted for / sum m|v|", r.momentum_drift);
+    std::printf("  %-36s %12.3e\n  %-36s %12.3e\n", "energy drift / energy in play", r.energy_drift, "momentum unaccounted for / sum m|v|",
+                r.momentum_drift);
     rare_events(a.nodes());
     std::printf("  %-36s %9.3f s wall, %.3f s CPU, %.1f ns per particle step\n", "run time of the method", r.wall, r.cpu,
                 1e9 * r.wall / static_cast<double>(std::max(1L, r.steps)) / static_cast<double>(a.row.particles));
-    std::printf("  %-36s %ld B per particle, %ld B per node, peak %ld kB\n", "memory", a.row.bytes_per_particle, a.row.bytes_per_node, peak_memory_kb());
+    std::printf("  %-36s %ld B per particle, %ld B per node, peak %ld kB\n", "memory", a.row.bytes_per_particle, a.row.bytes_per_node,
+                peak_memory_kb());
     if (r.trouble) std::printf("  UNSTABLE at t = %.6g: %s: %s\n", r.t_fail, r.trouble.cause.c_str(), r.trouble.reason.c_str());
     if (r.interrupted) std::printf("  INTERRUPTED at t = %.6g; the last state is written\n", r.t);
 }
@@ -110,7 +125,8 @@ void Common::declare(Options& o, const std::vector<std::string>& shapes, double 
 
 std::string run_folder(const std::string& program, const Options& options, const std::string& out, const std::string& label) {
     const std::string name = label.empty() ? options.label() : label;
-    if (name.find('/') != std::string::npos || name == "." || name == "..") throw BadInput("--label " + name + ": the name of a folder is allowed");
+    if (name.find('/') != std::string::npos || name == "." || name == "..")
+        throw BadInput("--label " + name + ": the name of a folder is allowed");
     return out.empty() ? "out/" + program + "/" + name : out;
 }
 
@@ -121,10 +137,14 @@ void make_folder(const std::string& path) {
 }
 
 bool answered(const Options& options, const std::string& program) {
-    if (options.asked("help")) std::fputs(options.help().c_str(), stdout);
-    else if (options.asked("version")) std::printf("%s, MPM Lab %s\n", program.c_str(), MPM_LAB_VERSION);
-    else if (options.asked("describe")) std::fputs(options.describe().c_str(), stdout);
-    else return false;
+    if (options.asked("help"))
+        std::fputs(options.help().c_str(), stdout);
+    else if (options.asked("version"))
+        std::printf("%s, MPM Lab %s\n", program.c_str(), MPM_LAB_VERSION);
+    else if (options.asked("describe"))
+        std::fputs(options.describe().c_str(), stdout);
+    else
+        return false;
     return true;
 }
 
@@ -178,9 +198,10 @@ struct Report {
             const RunPlan plan = plan_of(c, a, folder, about.columns);
             if (!say) continue;
             const double particle_steps = static_cast<double>(plan.steps) * static_cast<double>(a.row.particles);
-            std::printf("%d cells: wave and particle speed allow dt = %.4g; dt = %.4g, %ld steps, %ld particles, about %.2g MB and %.2g s\n", cells,
-                        a.critical_dt, plan.dt, plan.steps, a.row.particles, 5 + 2e-6 * static_cast<double>(a.row.particles * a.row.bytes_per_particle),
-                        5e-8 * a.row.dim * particle_steps);
+            std::printf(
+                "%d cells: wave and particle speed allow dt = %.4g; dt = %.4g, %ld steps, %ld particles, about %.2g MB and %.2g s\n", cells,
+                a.critical_dt, plan.dt, plan.steps, a.row.particles,
+                5 + 2e-6 * static_cast<double>(a.row.particles * a.row.bytes_per_particle), 5e-8 * a.row.dim * particle_steps);
         }
     }
 

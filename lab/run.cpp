@@ -19,8 +19,10 @@ constexpr double step_floor = 1e-6;
 
 std::vector<std::string> history_columns(const RunPlan& plan) {
     std::vector<std::string> names{"t", "kinetic", "strain", "total"};
-    if (plan.dim == 1) names.emplace_back("momentum");
-    else names.insert(names.end(), {"momentum_x", "momentum_y"});
+    if (plan.dim == 1)
+        names.emplace_back("momentum");
+    else
+        names.insert(names.end(), {"momentum_x", "momentum_y"});
     names.insert(names.end(), plan.columns.begin(), plan.columns.end());
     return names;
 }
@@ -29,7 +31,11 @@ std::vector<std::string> history_columns(const RunPlan& plan) {
 class Runner {
 public:
     Runner(Simulation& sim, const RunPlan& plan)
-        : sim_(sim), plan_(plan), records_(std::clamp<long>(plan.records, 1, plan.steps)), history_(plan.folder + "/history.csv", history_columns(plan)), energy_(step_ratio()) {
+        : sim_(sim),
+          plan_(plan),
+          records_(std::clamp<long>(plan.records, 1, plan.steps)),
+          history_(plan.folder + "/history.csv", history_columns(plan)),
+          energy_(step_ratio()) {
         result_.files.push_back(history_.path());
     }
 
@@ -161,7 +167,8 @@ private:
         const double ratio = step_ratio();
         char text[120];
         std::snprintf(text, sizeof text,
-                      ratio > 1 ? "; likely cause: the time step is %.3g times h/(c + |v|)" : "; the time step is %.3g of h/(c + |v|), so look at the scheme",
+                      ratio > 1 ? "; likely cause: the time step is %.3g times h/(c + |v|)"
+                                : "; the time step is %.3g of h/(c + |v|), so look at the scheme",
                       ratio);
         if (trouble.cause != "numerical-fracture") trouble.reason += text;
     }

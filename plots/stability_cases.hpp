@@ -10,7 +10,7 @@
 namespace mpm {
 
 struct Limits {
-    int cells = 32, finest = 4096;  // fewer cells: the staggered energies of a large step differ by 5 %, which counts as growth
+    int cells = 32, finest = 4096;
     double periods = 20, case_periods = 2, tolerance = 0.01, timeout = 0;
     std::string error;  // error_name; "" for the first
 };

@@ -116,9 +116,10 @@ Words short_names(const std::vector<Variant>& variants, std::string& shared) {
     const auto common = [&](const auto& setting) {
         return std::all_of(variants.begin(), variants.end(), [&](const Variant& v) { return v.value(setting.first) == setting.second; });
     };
-    const bool several = variants.size() > 1, one_program = several && std::all_of(variants.begin(), variants.end(), [&](const Variant& v) {
-                                                    return v.program == variants.front().program && !std::all_of(v.settings.begin(), v.settings.end(), common);
-                                                });
+    const bool several = variants.size() > 1,
+               one_program = several && std::all_of(variants.begin(), variants.end(), [&](const Variant&v) {
+                                 return v.program == variants.front().program && !std::all_of(v.settings.begin(), v.settings.end(), common);
+                             });
     const Words plain{"scheme", "shape", "transfer", "law", "case"};  // whose values speak for themselves
     Words names, cut, same;
     if (one_program) same.push_back(variants.front().program);

@@ -1,5 +1,5 @@
-/// APIC, the affine particle-in-cell transfer (Jiang et al. 2015): a particle carries the gradient C of the velocity about it and gives each node
-/// v + C (x_I - x_p). Takes velocities back as PIC does, yet keeps what PIC smears: linear fields and angular momentum.
+/// APIC, the affine particle-in-cell transfer (Jiang et al. 2015): a particle carries the gradient C of the velocity about it and gives
+/// each node v + C (x_I - x_p). Takes velocities back as PIC does, yet keeps what PIC smears: linear fields and angular momentum.
 #pragma once
 #include "chapters/explicit/point.hpp"
 
@@ -16,19 +16,24 @@ template <bool TotalLagrangian> struct Apic {
     };
 
     template <class Point> static const auto& place(const Point& p) {
-        if constexpr (TotalLagrangian) return p.X;
-        else return p.x;
+        if constexpr (TotalLagrangian)
+            return p.X;
+        else
+            return p.x;
     }
 
-    template <class Point, class Node> Vec<Node::D> velocity(const Point& p, const Node& node) const { return p.v + p.C * (node.x - place(p)); }
+    template <class Point, class Node> Vec<Node::D> velocity(const Point& p, const Node& node) const {
+        return p.v + p.C * (node.x - place(p));
+    }
 
     template <class Body, class Fix> void nodal_velocities(Body& body, Fix&& fix) const { mapped_velocities(body, fix); }
     template <class Body, class Fix> void mapped_velocities(Body& body, Fix&&) const {
         for (auto& node : body.grid) node.v_new = mpm::velocity(node.mv_new, node.m);
     }
 
-    /// v = sum phi v_I, C = [sum phi v_I (x_I - x_p)^T] [sum phi (x_I - x_p)(x_I - x_p)^T]^-1. The second matrix is diagonal, since the functions are products
-    /// that reproduce linear fields along each axis. Where it vanishes, at a node with hat functions, C is the limit, sum v_I grad^T.
+    /// v = sum phi v_I, C = [sum phi v_I (x_I - x_p)^T] [sum phi (x_I - x_p)(x_I - x_p)^T]^-1. The second matrix is diagonal, since the
+    /// functions are products that reproduce linear fields along each axis. Where it vanishes, at a node with hat functions, C is the
+    /// limit, sum v_I grad^T.
     template <class Point, class Weights> void update_velocity(Point& p, const Weights& weights) const {
         constexpr int D = Point::D;
         Vec<D> v = Vec<D>::Zero(), spread = Vec<D>::Zero();

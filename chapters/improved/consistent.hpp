@@ -1,5 +1,5 @@
-/// The consistent mass matrix: nodal velocities solve M v = mv with M_IJ = sum m_p phi_I phi_J, the limit of FMPM(k) for k to infinity. Needs more particles
-/// than nodes: with one particle per cell M is singular (a checkerboard of nodal velocities that no particle sees).
+/// The consistent mass matrix: nodal velocities solve M v = mv with M_IJ = sum m_p phi_I phi_J, the limit of FMPM(k) for k to infinity.
+/// Needs more particles than nodes: with one particle per cell M is singular (a checkerboard of nodal velocities that no particle sees).
 #pragma once
 #include <cmath>
 #include <limits>
@@ -11,8 +11,8 @@
 
 namespace mpm {
 
-/// A velocity component that is held keeps its value and its row leaves the system; nodes without mass stay at rest. The total-Lagrangian matrix is
-/// factored once.
+/// A velocity component that is held keeps its value and its row leaves the system; nodes without mass stay at rest. The total-Lagrangian
+/// matrix is factored once.
 template <bool TotalLagrangian> struct Consistent {
     static constexpr const char* name = "consistent";
     template <class Point> using PointOf = Point;

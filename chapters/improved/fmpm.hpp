@@ -1,5 +1,5 @@
-/// FMPM(k) and XPIC(k) (Nairn and Hammerquist 2021; Hammerquist and Nairn 2017): PIC with the lumped inverse of the mass matrix replaced by k terms of
-/// the series for the inverse of the full one.
+/// FMPM(k) and XPIC(k) (Nairn and Hammerquist 2021; Hammerquist and Nairn 2017): PIC with the lumped inverse of the mass matrix replaced by
+/// k terms of the series for the inverse of the full one.
 #pragma once
 #include "chapters/explicit/point.hpp"
 #include "lab/body.hpp"
@@ -8,11 +8,11 @@ namespace mpm {
 
 /// v(k) = sum_{l < k} (I - S+ S)^l v(1): S interpolates to the particles, S+ = m^-1 S^T M maps back, v(1) = mv/m. k = 1 is PIC.
 /// FMPM: the series acts on the velocity at t + dt. XPIC: it acts on the velocity at t, and the lumped acceleration is added.
-/// Particles move with the grid. (The papers move them with the mean of their old and new velocities; those are half a step before and after t
-/// here, so that x would lag by half a step: first order in dt, measured on the manufactured segment.)
+/// Particles move with the grid. (The papers move them with the mean of their old and new velocities; those are half a step before and
+/// after t here, so that x would lag by half a step: first order in dt, measured on the manufactured segment.)
 struct Fmpm {
-    int order = 2;             // k, number of terms [-]
-    bool whole = true;         // false: XPIC
+    int order = 2;      // k, number of terms [-]
+    bool whole = true;  // false: XPIC
     const char* name = "fmpm";
 
     template <class Point> using PointOf = Point;
@@ -56,7 +56,8 @@ private:
                 for (const auto& [node, phi, grad] : weights) at_p += phi * node.term;
                 for (const auto& [node, phi, grad] : weights) node.mapped += phi * p.m * at_p;
             });
-            for (auto& node : body.grid) node.mapped = node.m * (node.*v + node.term) - node.mapped;  // the sum with its next term, as a momentum
+            for (auto& node : body.grid)
+                node.mapped = node.m * (node.*v + node.term) - node.mapped;  // the sum with its next term, as a momentum
             fix(&Node::mapped);
             for (auto& node : body.grid) {
                 node.term = mpm::velocity<D>(node.mapped - node.m * node.*v, node.m);

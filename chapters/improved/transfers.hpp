@@ -29,16 +29,23 @@ struct TransferChoice {
         if (order != 2 && !series) throw BadInput("--order: only --transfer xpic and fmpm have terms of a series, not " + name);
         if (alpha != 1 && !mix) throw BadInput("--alpha: only --transfer flip and consistent mix FLIP and PIC, not " + name);
         if (name == "consistent" && ppc < 2)
-            throw BadInput("--transfer consistent with --ppc 1: the mass matrix is singular with one particle per cell; allowed with --ppc 2 and more");
+            throw BadInput(
+                "--transfer consistent with --ppc 1: the mass matrix is singular with one particle per cell; allowed with --ppc 2 and "
+                "more");
     }
 
     /// Calls visit(transfer) for the chosen one.
     template <bool TotalLagrangian, class Visit> void with(Visit&& visit) const {
-        if (name == "apic") visit(Apic<TotalLagrangian>{});
-        else if (name == "xpic") visit(xpic(order));
-        else if (name == "fmpm") visit(Fmpm{order});
-        else if (name == "consistent") visit(consistent<TotalLagrangian>());
-        else visit(Flip{alpha});
+        if (name == "apic")
+            visit(Apic<TotalLagrangian>{});
+        else if (name == "xpic")
+            visit(xpic(order));
+        else if (name == "fmpm")
+            visit(Fmpm{order});
+        else if (name == "consistent")
+            visit(consistent<TotalLagrangian>());
+        else
+            visit(Flip{alpha});
     }
 
 private:

@@ -10,7 +10,8 @@ template <class Shapes, bool TotalLagrangian, class Scheme, class Scene>
 Assembled assemble_named(const Scheme& scheme, const Scene& scene, const TransferChoice& choice, int cells, const Common& common) {
     Assembled a;
     choice.with<TotalLagrangian>([&](const auto& transfer) {
-        Shapes::with(common.shape, [&](auto kernel) { a = assemble_with<decltype(kernel), TotalLagrangian>(scheme, scene, transfer, cells, common); });
+        Shapes::with(common.shape,
+                     [&](auto kernel) { a = assemble_with<decltype(kernel), TotalLagrangian>(scheme, scene, transfer, cells, common); });
     });
     return a;
 }

@@ -34,8 +34,7 @@ inline double field(double x) { return x; }
 struct Mls : Flip {
     static constexpr const char* name = "mls";
 
-    template <class Body, class Fix>
-    void nodal_velocities(Body& body, Fix&&) const {
+    template <class Body, class Fix> void nodal_velocities(Body& body, Fix&&) const {
         const double d = 2 * body.grid.lattice().h()[0];
         for (int I = 0; I < body.grid.size(); ++I) {
             double s0 = 0, s1 = 0, s2 = 0, v0 = 0, v1 = 0;  // moments about the node: sum w r^k, sum w r^k v
@@ -107,8 +106,7 @@ inline void judge(Projected& p, const Settings& set) {
 
 struct NoLaw {};
 
-template <class Kernel, class Transfer>
-Projected project(const Settings& set, const Transfer& transfer) {
+template <class Kernel, class Transfer> Projected project(const Settings& set, const Transfer& transfer) {
     using Point = typename Transfer::template PointOf<mpm::Point<1>>;
     using Node = typename Transfer::template NodeOf<mpm::Node<1>>;
     using Shape = Tensor<1, Kernel>;

@@ -1,4 +1,5 @@
-/// A bar of two halves, the outer one stiffer or softer, fixed at x = 0 and free at x = L: the axial vibration of review 6.1.1 with a jump in E.
+/// A bar of two halves, the outer one stiffer or softer, fixed at x = 0 and free at x = L: the axial vibration of review 6.1.1 with a jump
+/// in E.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -21,8 +22,9 @@ template <class HalfLaw> struct Halves {
     template <class Point> double energy(const Point& p) const { return of(p).energy(p); }
 };
 
-/// First mode. With a = omega L/(2 c_1), b = omega L/(2 c_2): v = A sin(2 a x/L) in the inner half, B cos(2 b (L - x)/L) in the outer one; equal velocities
-/// and stresses in the middle, A sin a = B cos b and E_1 (a) A cos a = E_2 (b) B sin b, ask for tan a tan b = sqrt(E_1/E_2). `v0` is the velocity of the end, B.
+/// First mode. With a = omega L/(2 c_1), b = omega L/(2 c_2): v = A sin(2 a x/L) in the inner half, B cos(2 b (L - x)/L) in the outer one;
+/// equal velocities and stresses in the middle, A sin a = B cos b and E_1 (a) A cos a = E_2 (b) B sin b, ask for tan a tan b =
+/// sqrt(E_1/E_2). `v0` is the velocity of the end, B.
 template <bool TotalLagrangian> struct ContrastBar : Bar<TotalLagrangian> {
     static constexpr const char* name = "contrast-bar";
     static constexpr const char* solves = "first axial vibration of a bar whose halves differ in stiffness, fixed at x = 0, free at x = L";
@@ -70,7 +72,9 @@ template <bool TotalLagrangian> struct ContrastBar : Bar<TotalLagrangian> {
         for (Point& p : points) p.v[0] = velocity(p.X[0]);
         return points;
     }
-    template <class Points> std::array<double, 2> watch(const Points& points, double t) const { return {this->v_cm(points), v_cm_exact(t)}; }
+    template <class Points> std::array<double, 2> watch(const Points& points, double t) const {
+        return {this->v_cm(points), v_cm_exact(t)};
+    }
 
     /// The same bar for total-Lagrangian schemes.
     ContrastBar<true> total_lagrangian() const {

@@ -12,7 +12,7 @@ struct SegmentSettings {
     Common common;
     Segment<false> scene;
     TransferChoice transfer;
-    std::string scheme = "tlmpm", formulation = "total";
+    std::string scheme = "tlmpm", formulation = "total", stress = "musl";
 };
 
 Assembled usl_segment(const SegmentSettings& settings, int cells);

@@ -4,6 +4,6 @@
 
 namespace mpm {
 
-Assembled tlmpm_segment(const SegmentSettings& s, int cells) { return segment<AllShapes, true>(s, Tlmpm{}, cells); }
+Assembled tlmpm_segment(const SegmentSettings& s, int cells) { return segment<AllShapes, true>(s, Tlmpm{s.stress}, cells); }
 
 }  // namespace mpm

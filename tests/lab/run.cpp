@@ -101,7 +101,9 @@ TEST_F(Run, EnergyThatWorkDoesNotExplainIsTrouble) {
 
 TEST_F(Run, EnergyThatSwingsIsNoTrouble) {
     plan.steps = 1000, plan.dt = plan.critical_dt = 1e-3;
-    sim.step = [this](double t, double dt) { energy = 1.1 + 0.1 * std::sin(2 * 3.14159 * (t / dt) / 63); };  // as a stable leapfrog's with 126 steps a period
+    sim.step = [this](double t, double dt) {
+        energy = 1.1 + 0.1 * std::sin(2 * 3.14159 * (t / dt) / 63);
+    };  // as a stable leapfrog's with 126 steps a period
     EXPECT_TRUE(run(sim, plan).ok());
 }
 TEST_F(Run, EnergyThatStaysHighIsTrouble) {

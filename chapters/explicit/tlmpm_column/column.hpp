@@ -10,18 +10,15 @@ namespace mpm {
 /// strained. F and x then part company: 5 % of the displacement at the free end of ten cells. The rest of
 /// Algorithm 1 is the page's, with the updated momenta in line 21, where it prints those before the update.
 struct MovedByParticles : Flip {
-    template <class Point, class Velocity>
-    const Velocity& moving(const Point& p, const Velocity&) const {
-        return p.v;
-    }
+    template <class Point, class Velocity> const Velocity& moving(const Point& p, const Velocity&) const { return p.v; }
 };
 
-template <class Law>
-Assembled tlmpm_column(const ColumnSettings& s, int cells) {
+template <class Law> Assembled tlmpm_column(const ColumnSettings& s, int cells) {
     const Column<Law> column(s.column);
     Assembled a;
     const auto assembled_with = [&](const auto& transfer) {
-        ColumnShapes::with(s.common.shape, [&](auto kernel) { a = assemble_with<decltype(kernel), true>(s.scheme, column, transfer, cells, s.common); });
+        ColumnShapes::with(s.common.shape,
+                           [&](auto kernel) { a = assemble_with<decltype(kernel), true>(s.scheme, column, transfer, cells, s.common); });
     };
     if (s.position == "particle")
         assembled_with(MovedByParticles{{s.transfer.alpha}});

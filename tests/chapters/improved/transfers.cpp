@@ -1,9 +1,10 @@
 // The improved transfers: their limits, what they reproduce and conserve, and their closed-form frequencies.
+#include "chapters/improved/transfers.hpp"
+
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "chapters/improved/transfers.hpp"
 #include "chapters/material/hooke.hpp"
 #include "chapters/scenes/bar.hpp"
 #include "tests/chapters/explicit/problem.hpp"
@@ -67,15 +68,16 @@ template <class Scheme, class Transfer> struct Pair {
     using TransferType = Transfer;
 };
 template <class P> class Conserving : public testing::Test {};
-using Pairs = testing::Types<Pair<Usl, Apic<false>>, Pair<Musl, Apic<false>>, Pair<Usf, Apic<false>>, Pair<Tlmpm, Apic<true>>, Pair<Usl, Fmpm>, Pair<Musl, Fmpm>,
-                             Pair<Usf, Fmpm>, Pair<Tlmpm, Fmpm>, Pair<Usl, Consistent<false>>,
+using Pairs = testing::Types<Pair<Usl, Apic<false>>, Pair<Musl, Apic<false>>, Pair<Usf, Apic<false>>, Pair<Tlmpm, Apic<true>>,
+                             Pair<Usl, Fmpm>, Pair<Musl, Fmpm>, Pair<Usf, Fmpm>, Pair<Tlmpm, Fmpm>, Pair<Usl, Consistent<false>>,
                              Pair<Musl, Consistent<false>>, Pair<Tlmpm, Consistent<true>>>;
 TYPED_TEST_SUITE(Conserving, Pairs);
 
 TYPED_TEST(Conserving, FreeSquareKeepsItsMomentum) {
     using Transfer = typename TypeParam::TransferType;
     // With smooth functions the consistent mass of nodes outside the body is that of cut cells, whose stable step is far smaller.
-    using Kernel = std::conditional_t<requires { Transfer::alpha; }, Hat, Quadratic>;
+    using Kernel = std::conditional_t < requires { Transfer::alpha; }
+    , Hat, Quadratic > ;
     auto s = square<typename TypeParam::SchemeType, Transfer, Kernel>({});
     const Vec<2> before = s.momentum();
     s.run(100, 0.002);
@@ -140,7 +142,8 @@ TEST(AngularMomentum, ApicKeepsItPicDoesNot) {
     EXPECT_GT(change(Flip{0}), 1e-2);
 }
 
-// Frequencies of the total-Lagrangian bar: w_h, then the leapfrog w = 2/dt asin(w_h dt/2). NUMBERS: 5e-5 is the error of interpolated zeros.
+// Frequencies of the total-Lagrangian bar: w_h, then the leapfrog w = 2/dt asin(w_h dt/2). NUMBERS: 5e-5 is the error of interpolated
+// zeros.
 template <class Transfer> double frequency(int ppc, int mode, const Transfer& transfer) {
     Bar<true> bar;
     bar.mode = mode;
@@ -160,7 +163,8 @@ template <class Transfer> double frequency(int ppc, int mode, const Transfer& tr
 TEST(ClosedForm, ApicHasTheFrequencyOfLumpedFiniteElements) {
     for (const int mode : {1, 2, 3}) {
         const double h = 25.0 / 16, beta = (2 * mode - 1) * std::numbers::pi / 50, dt = 0.1 * h / 10, w_h = 20 / h * std::sin(beta * h / 2);
-        EXPECT_NEAR(frequency(1, mode, Apic<true>{}) / (2 / dt * std::asin(w_h * dt / 2)), 1, 5e-4);  // APIC damps the start: a few 1e-4 of mode 3
+        EXPECT_NEAR(frequency(1, mode, Apic<true>{}) / (2 / dt * std::asin(w_h * dt / 2)), 1,
+                    5e-4);  // APIC damps the start: a few 1e-4 of mode 3
     }
 }
 TEST(ClosedForm, ConsistentMassWithTwoParticlesPerCell) {
