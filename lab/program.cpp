@@ -18,15 +18,7 @@ namespace fs = std::filesystem;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 RunPlan plan_of(const Common& c, const Assembled& a, const std::string& folder, const std::vector<std::string>& columns) {
-    RunPlan plan;
-    const double wanted = c.dt > 0 ? c.dt : c.cfl * a.critical_dt;
-    const double steps = std::ceil(c.t_end / wanted * (1 - 1e-12));
-    if (!(steps < 1e10))
-        throw BadInput("--t-end or --dt, --cfl: the time step " + number_text(wanted) + " needs more than 1e10 steps to reach " +
-                       number_text(c.t_end));
-    plan.steps = std::max(1L, static_cast<long>(steps));
-    plan.dt = c.t_end / static_cast<double>(plan.steps);  // whole steps: the last one ends at t_end
-    plan.t_end = c.t_end;
+    RunPlan plan = whole_steps(c.t_end, c.dt > 0 ? c.dt : c.cfl * a.critical_dt, a.critical_dt);
     plan.dim = a.row.dim;
     plan.cfl = c.dt_from == "step" ? c.cfl : 0;
     plan.progress = !c.quiet;
@@ -35,7 +27,6 @@ RunPlan plan_of(const Common& c, const Assembled& a, const std::string& folder, 
     plan.stop_on_trouble = c.watch == "stop";
     plan.folder = folder;
     plan.columns = columns;
-    plan.critical_dt = a.critical_dt;
     return plan;
 }
 
@@ -136,6 +127,35 @@ void make_folder(const std::string& path) {
     if (error || !fs::is_directory(path)) throw FileTrouble("cannot make the folder " + path + ": " + error.message());
 }
 
+RunPlan whole_steps(double t_end, double wanted, double critical_dt) {
+    const double steps = std::ceil(t_end / wanted * (1 - 1e-12));
+    if (!(steps < 1e10))
+        throw BadInput("--t-end or --dt, --cfl: the time step " + number_text(wanted) + " needs more than 1e10 steps to reach " +
+                       number_text(t_end));
+    RunPlan plan;
+    plan.t_end = t_end;
+    plan.steps = std::max(1L, static_cast<long>(steps));
+    plan.dt = t_end / static_cast<double>(plan.steps);
+    plan.critical_dt = critical_dt;
+    return plan;
+}
+
+void add_result(SummaryRow& row, const RunPlan& plan, const RunResult& r) {
+    row.dt = plan.dt;
+    row.cfl = plan.dt / plan.critical_dt;
+    row.steps = r.steps;
+    row.t_end = plan.t_end;
+    row.energy_drift = r.energy_drift;
+    row.momentum_drift = r.momentum_drift;
+    row.wall_s = r.wall;
+    row.cpu_s = r.cpu;
+    row.ns_per_particle_step = 1e9 * r.wall / static_cast<double>(std::max(1L, r.steps)) / static_cast<double>(row.particles);
+    row.peak_rss_kb = peak_memory_kb();
+    row.verdict = r.trouble ? "unstable:" + r.trouble.cause : r.interrupted ? "interrupted" : "ok";
+    row.t_fail = r.trouble ? r.t_fail : nan;
+    row.reason = r.trouble.reason;
+}
+
 bool answered(const Options& options, const std::string& program) {
     if (options.asked("help"))
         std::fputs(options.help().c_str(), stdout);
@@ -233,19 +253,7 @@ struct Report {
         SummaryRow row = a.row;
         row.program = about.program;
         row.options = options.changed();
-        row.dt = plan.dt;
-        row.cfl = plan.dt / a.critical_dt;
-        row.steps = r.steps;
-        row.t_end = c.t_end;
-        row.energy_drift = r.energy_drift;
-        row.momentum_drift = r.momentum_drift;
-        row.wall_s = r.wall;
-        row.cpu_s = r.cpu;
-        row.ns_per_particle_step = 1e9 * r.wall / static_cast<double>(std::max(1L, r.steps)) / static_cast<double>(row.particles);
-        row.peak_rss_kb = peak_memory_kb();
-        row.verdict = r.trouble ? "unstable:" + r.trouble.cause : r.interrupted ? "interrupted" : "ok";
-        row.t_fail = r.trouble ? r.t_fail : nan;
-        row.reason = r.trouble.reason;
+        add_result(row, plan, r);
         const std::size_t first = rows.size();
         for (const NamedError& e : a.errors(c.t_end)) {
             row.error_name = e.name;

@@ -54,6 +54,11 @@ struct Description {
 int run_program(const Description& about, const Options& options, const Common& common,
                 const std::function<Assembled(int cells)>& assemble);
 
+/// A plan of whole steps, none longer than `wanted`, the last of which ends at t_end. Throws BadInput for more than 1e10.
+RunPlan whole_steps(double t_end, double wanted, double critical_dt);
+/// Fills in what a run has shown, all but its errors.
+void add_result(SummaryRow& row, const RunPlan& plan, const RunResult& result);
+
 /// The folder of a run's files: `out`, or out/<program>/<label> with a label made of the options if there is none. Throws BadInput.
 std::string run_folder(const std::string& program, const Options& options, const std::string& out, const std::string& label);
 /// Throws FileTrouble.

@@ -30,41 +30,21 @@ struct Run {
 
 /// Whole steps, as every program takes them. Throws BadInput.
 inline RunPlan plan_of(const Settings& set, const Assembled& a, const std::string& folder) {
-    RunPlan plan;
-    plan.t_end = set.scene.t_end;
-    const double steps = std::ceil(plan.t_end / (set.dt > 0 ? set.dt : set.cfl * a.critical_dt) * (1 - 1e-12));
-    if (!(steps < 1e9)) throw BadInput("--t-end or --dt, --cfl: more than 1e9 steps");
-    plan.steps = std::max(1L, static_cast<long>(steps));
-    plan.dt = plan.t_end / static_cast<double>(plan.steps);
+    RunPlan plan = whole_steps(set.scene.t_end, set.dt > 0 ? set.dt : set.cfl * a.critical_dt, a.critical_dt);
     plan.records = set.records;
     plan.stop_on_trouble = set.watch == "stop";
     plan.folder = folder;
     plan.columns.assign(TwoBodies::columns.begin(), TwoBodies::columns.end());
-    plan.critical_dt = a.critical_dt;
     return plan;
 }
 
 /// Fills in what the run has shown; errors of a run that stopped early are nan.
 inline void finish(Run& run, const RunPlan& plan) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    SummaryRow& row = run.row;
-    const RunResult& r = run.result;
-    row.dt = plan.dt;
-    row.cfl = plan.dt / plan.critical_dt;
-    row.steps = r.steps;
-    row.t_end = plan.t_end;
-    row.order = nan;
-    row.energy_drift = r.energy_drift;
-    row.momentum_drift = r.momentum_drift;
-    row.wall_s = r.wall;
-    row.cpu_s = r.cpu;
-    row.ns_per_particle_step = 1e9 * r.wall / static_cast<double>(std::max(1L, r.steps)) / static_cast<double>(row.particles);
-    row.peak_rss_kb = peak_memory_kb();
-    row.verdict = r.trouble ? "unstable:" + r.trouble.cause : r.interrupted ? "interrupted" : "ok";
-    row.t_fail = r.trouble ? r.t_fail : nan;
-    row.reason = r.trouble.reason;
+    add_result(run.row, plan, run.result);
+    run.row.order = nan;
     for (NamedError& e : run.errors)
-        if (r.stopped) e.value = nan;
+        if (run.result.stopped) e.value = nan;
 }
 
 inline void write_summary(const std::string& path, const std::vector<Run>& runs) {
