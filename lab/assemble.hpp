@@ -1,8 +1,9 @@
 /// Joins one scheme, one scene, one shape and one transfer into what the run loop and the report call.
 #pragma once
-#include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -11,21 +12,24 @@
 #include "lab/clock.hpp"
 #include "lab/coverage.hpp"
 #include "lab/monitor.hpp"
+#include "lab/overlap.hpp"
 #include "lab/program.hpp"
 #include "lab/snapshot.hpp"
 
 namespace mpm {
 
-/// A scheme's point and node as a transfer extends them.
-template <class Scheme, class Transfer, int D> using PointFor = typename Transfer::template PointOf<typename Scheme::template PointOf<D>>;
+/// A scheme's point and node as the law and a transfer extend them.
+template <class Scheme, class Law, class Transfer, int D>
+using PointFor = typename Transfer::template PointOf<typename WithHistory<Law, typename Scheme::template PointOf<D>>::Point>;
 template <class Scheme, class Transfer, int D> using NodeFor = typename Transfer::template NodeOf<typename Scheme::template NodeOf<D>>;
 
 /// One resolution of a scene without its weights, shared by the functions that the run loop calls: compiled once for all shapes.
 ///
-/// A scene tells its law, lattice(cells, nodes per cell), particles<Point>(cells, ppc), load(body, t), fix(grid, field, t), speed(),
-/// wave_speed(), watch(points, t) and an Observer. It may also tell held_force(grid), the force on held velocity components, from which the
-/// momentum balance takes the impulse of walls; supply(bodies, t, dt), impulse and work of its loads; animated(), what a gif shows;
-/// may_break, if gaps in its bodies are no defect.
+/// A scene tells its law, lattice(cells, nodes per cell), particles<Point>(cells, ppc), or bodies<Point>(cells, ppc) if there may be several,
+/// load(body, t), fix(grid, field, t), speed(), wave_speed(), watch(points, t) and an Observer, both of which see the particles of all bodies. It
+/// may also tell held_force(grid), the force on held velocity components, from which the momentum balance takes the impulse of walls;
+/// supply(bodies, t, dt), impulse and work of its loads; animated(), what a gif shows; may_break, if gaps in its bodies are no defect;
+/// may_overlap, if bodies may lie in each other.
 template <class Scene, class Matter> struct Problem {
     static constexpr int D = Scene::D;
 
@@ -37,11 +41,13 @@ template <class Scene, class Matter> struct Problem {
     std::vector<Matter*> bodies;
     std::vector<std::vector<typename Matter::Point>> good;  // the last state that was well
     std::vector<Coverage<D>> coverage;                      // of bodies that can come apart
+    bool watches_overlap = false;
     NodeWatch nodes;
     bool watches_nodes = false;
     double cutoff = 0;  // the scheme's, if it has one [mass]
     typename Scene::Observer observer;
 
+    AllPoints<Matter> points() const { return AllPoints<Matter>(bodies); }
     void keep() {
         good.clear();
         for (const Matter* body : bodies) good.push_back(body->points);
@@ -62,12 +68,11 @@ template <class Scene, class Matter> struct Problem {
     Trouble inspect() {
         for (std::size_t b = 0; b < coverage.size(); ++b)
             if (Trouble gap = coverage[b].check(*bodies[b])) return gap;
-        return {};
+        return watches_overlap ? check_overlap<D>(bodies) : Trouble{};
     }
     double critical_dt() const {
         double speed2 = 0;
-        for (const Matter* body : bodies)
-            for (const auto& p : body->points) speed2 = std::max(speed2, p.v.squaredNorm());
+        for (const auto& p : points()) speed2 = std::max(speed2, p.v.squaredNorm());
         return critical_step<D>(bodies[0]->grid.lattice().h(), scene.wave_speed(), std::sqrt(speed2));
     }
     /// After a step: the impulse of walls and loads, the work of loads, and a look at the nodes.
@@ -91,13 +96,13 @@ template <class Scene, class Matter> [[gnu::cold]] Simulation watched(const std:
     sim.measure = [s] { return s->measure(); };
     sim.check = [s] { return s->check(); };
     sim.inspect = [s] { return s->inspect(); };
-    sim.where = [s] { return fastest_particle(*s->bodies[0]); };
+    sim.where = [s] { return fastest_particle(s->points()); };
     sim.supply = [s](double t, double dt) { return s->supply(t, dt); };
     sim.critical_dt = [s] { return s->critical_dt(); };
-    sim.sample = [s](double t, double energy) { s->observer.sample(s->bodies[0]->points, t, energy); };
+    sim.sample = [s](double t, double energy) { s->observer.sample(s->points(), t, energy); };
     sim.wants_energy = [s, t_end](double t) { return s->observer.wants_energy(t, t_end); };
     sim.watch = [s](double t) {
-        const auto values = s->scene.watch(s->bodies[0]->points, t);
+        const auto values = s->scene.watch(s->points(), t);
         return std::vector<double>(values.begin(), values.end());
     };
     sim.write_particles = [s](const std::string& path) { write_particles<Scene::D>(path, s->bodies); };
@@ -133,6 +138,7 @@ template <class Scene, class Matter> [[gnu::cold]] Assembled watched_and_reporte
     if constexpr (!requires { Scene::may_break; })
         if (!combination.total_lagrangian)
             for (const Matter* body : s->bodies) s->coverage.emplace_back(*body, combination.shape.support);
+    if constexpr (!requires { Scene::may_overlap; }) s->watches_overlap = s->bodies.size() > 1;
     s->keep();
     Assembled a;
     a.simulation = watched(s, common.t_end);
@@ -159,29 +165,41 @@ template <class Scene, class Matter> [[gnu::cold]] Assembled watched_and_reporte
     return a;
 }
 
+/// The bodies of a scene, without weights.
 template <class Matter, class Scene>
-[[gnu::cold]] Matter matter_of(const Scene& scene, const Lattice<Scene::D>& lattice, int cells, int ppc) {
-    return {scene.template particles<typename Matter::Point>(cells, ppc), Grid<Scene::D, typename Matter::Node>(lattice), scene.law()};
+[[gnu::cold]] std::vector<Matter> matter_of(const Scene& scene, const Lattice<Scene::D>& lattice, int cells, int ppc) {
+    using Points = std::vector<typename Matter::Point>;
+    std::vector<Points> bodies;
+    if constexpr (requires { scene.template bodies<typename Matter::Point>(cells, ppc); })
+        bodies = scene.template bodies<typename Matter::Point>(cells, ppc);
+    else
+        bodies.push_back(scene.template particles<typename Matter::Point>(cells, ppc));
+    std::vector<Matter> all;
+    for (Points& points : bodies) all.push_back({std::move(points), Grid<Scene::D, typename Matter::Node>(lattice), scene.law()});
+    return all;
 }
 
-/// `make_shape(lattice, points)` gives the body's weighting function.
+/// `make_shape(lattice, points)` gives a body's weighting function.
 template <class Shape, class Scheme, class Scene, class Transfer, class MakeShape>
 [[gnu::cold]] Assembled assemble(const Scheme& scheme, const Scene& scene, const Transfer& transfer, const ShapeFacts& facts, int cells,
                                  const Common& common, MakeShape&& make_shape) {
     constexpr int D = Scene::D;
-    using Point = PointFor<Scheme, Transfer, D>;
+    using Law = typename Scene::Law;
+    using Point = PointFor<Scheme, Law, Transfer, D>;
     using Node = NodeFor<Scheme, Transfer, D>;
-    using Substance = Matter<D, Point, Node, typename Scene::Law>;
-    using OneBody = Body<D, Point, Node, typename Scene::Law, Shape, Transfer>;
+    using Substance = Matter<D, Point, Node, Law>;
+    using OneBody = Body<D, Point, Node, Law, Shape, Transfer>;
     struct Moved {
         Scheme scheme;
-        std::array<OneBody, 1> bodies;
+        std::vector<OneBody> bodies;
     };
     const Lattice<D> lattice = scene.lattice(cells, facts.per_cell);
     auto problem = std::make_shared<Problem<Scene, Substance>>(scene);
-    Substance matter = matter_of<Substance>(scene, lattice, cells, common.ppc);
-    Shape shape = make_shape(lattice, matter.points);
-    auto moved = std::make_shared<Moved>(Moved{scheme, {OneBody{std::move(matter), std::move(shape), transfer}}});
+    auto moved = std::make_shared<Moved>(Moved{scheme, {}});
+    for (Substance& matter : matter_of<Substance>(scene, lattice, cells, common.ppc)) {
+        Shape shape = make_shape(lattice, matter.points);
+        moved->bodies.push_back(OneBody{std::move(matter), std::move(shape), transfer});
+    }
     if constexpr (requires { scheme.start(moved->bodies, scene); }) moved->scheme.start(moved->bodies, scene);
     for (OneBody& body : moved->bodies) problem->bodies.push_back(&body);
     Combination combination{facts, Scheme::name, transfer.name, Shape::total_lagrangian, 0};

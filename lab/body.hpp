@@ -33,6 +33,16 @@ private:
     Node* nodes_;
 };
 
+/// A point as a law extends it by its history, e.g. a plastic strain: Law::PointOf<Base>, if the law has one.
+template <class Law, class Base> struct WithHistory {
+    using Point = Base;
+};
+template <class Law, class Base>
+    requires requires { typename Law::template PointOf<Base>; }
+struct WithHistory<Law, Base> {
+    using Point = typename Law::template PointOf<Base>;
+};
+
 /// What a body is made of, without the weights: all that the monitor and the files need. `Law` is a constitutive model.
 template <int Dim, class PointType, class NodeType, class LawType> struct Matter {
     static constexpr int D = Dim;
@@ -54,6 +64,43 @@ struct Body : Matter<Dim, PointType, NodeType, LawType> {
 
     Shape shape;
     Transfer transfer;
+};
+
+/// The particles of all bodies one after the other, as a range with size() and [i].
+template <class Matter> class AllPoints {
+public:
+    using Point = typename Matter::Point;
+    explicit AllPoints(const std::vector<Matter*>& bodies) : bodies_(bodies) {}
+
+    struct Iterator {
+        const std::vector<Matter*>* bodies;
+        std::size_t body, i;
+        const Point& operator*() const { return (*bodies)[body]->points[i]; }
+        Iterator& operator++() {
+            ++i;
+            return settle();
+        }
+        bool operator!=(const Iterator& other) const { return body != other.body || i != other.i; }
+        Iterator& settle() {  // past the ends of bodies
+            while (body < bodies->size() && i == (*bodies)[body]->points.size()) ++body, i = 0;
+            return *this;
+        }
+    };
+    Iterator begin() const { return Iterator{&bodies_, 0, 0}.settle(); }
+    Iterator end() const { return {&bodies_, bodies_.size(), 0}; }
+    std::size_t size() const {
+        std::size_t n = 0;
+        for (const Matter* body : bodies_) n += body->points.size();
+        return n;
+    }
+    const Point& operator[](std::size_t i) const {
+        std::size_t body = 0;
+        while (i >= bodies_[body]->points.size()) i -= bodies_[body++]->points.size();
+        return bodies_[body]->points[i];
+    }
+
+private:
+    const std::vector<Matter*>& bodies_;
 };
 
 /// Visits every particle with its weights; the visitor may write to the nodes: `scatter(body, [](auto& p, const auto& weights)

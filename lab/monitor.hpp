@@ -72,13 +72,16 @@ template <int D, class Point, class Node, class Law> Trouble check_particles(con
     return {};
 }
 
-/// Where a body is liveliest: its fastest particle, the speed, and its det F.
-template <int D, class Point, class Node, class Law> std::string fastest_particle(const Matter<D, Point, Node, Law>& body) {
-    std::size_t fastest = 0;
-    for (std::size_t i = 1; i < body.points.size(); ++i)
-        if (body.points[i].v.squaredNorm() > body.points[fastest].v.squaredNorm()) fastest = i;
-    if (body.points.empty()) return "no particles";
-    const Point& p = body.points[fastest];
+/// Where bodies are liveliest: the fastest of their particles, its speed, and its det F.
+template <class Points> std::string fastest_particle(const Points& points) {
+    if (points.size() == 0) return "no particles";
+    std::size_t fastest = 0, i = 0;
+    double speed2 = -1;
+    for (const auto& p : points) {
+        if (p.v.squaredNorm() > speed2) speed2 = p.v.squaredNorm(), fastest = i;
+        ++i;
+    }
+    const auto& p = points[fastest];
     std::ostringstream s;
     s << detail::place(fastest, p) << " is the fastest, |v| = " << p.v.norm() << ", det F = " << p.V / p.V0;
     return s.str();
@@ -88,11 +91,11 @@ template <int D, class Point, class Node, class Law> std::string fastest_particl
 ///
 /// Kinetic and strain energy are known half a step apart, so that the sum of a stable vibration swings by sin(omega dt/2) of itself to
 /// either side. It swings by more than 5 % only where a period has fewer than 126 steps, the swing 63: growth that stays through `patience`
-/// steps is no swing, nor is growth beyond twice the largest, that of the shortest waves.
+/// steps is no swing, nor is growth beyond twice the largest, that of the shortest waves, nor, at any step, by half the energy in play.
 class EnergyWatch {
 public:
     /// `step_ratio` is dt over h/(c + |v|), which bounds omega dt/2.
-    explicit EnergyWatch(double step_ratio) : certain_(limit + 2 * step_ratio) {}
+    explicit EnergyWatch(double step_ratio) : certain_(std::min(limit + 2 * step_ratio, 0.5)) {}
 
     /// To be called at records and, while `suspicious`, at every step.
     Trouble check(const Measures& now, double work) {

@@ -150,7 +150,7 @@ private:
         if (!trouble || stopped_by_) return;
         if (!result_.trouble) {
             result_.trouble = trouble;
-            result_.trouble.reason += "; " + sim_.where();
+            if (trouble.cause != "bodies-passed-through") result_.trouble.reason += "; " + sim_.where();
             result_.t_fail = next_;
         }
         if (plan_.stop_on_trouble || trouble.cause == "not-finite") stopped_by_ = trouble;
@@ -159,7 +159,10 @@ private:
     /// What the numbers say about the cause: an energy that had begun to grow, a step beyond the critical one.
     void explain() {
         Trouble& trouble = result_.trouble;
-        if (!trouble) trouble = stopped_by_, result_.t_fail = next_;
+        if (!trouble)
+            trouble = stopped_by_, result_.t_fail = next_;
+        else if (stopped_by_ && result_.t_fail < next_)  // warned of before
+            trouble.reason += "; stopped at t = " + number_text(next_) + " by " + stopped_by_.cause + ": " + stopped_by_.reason;
         if (trouble.cause != "energy-growth" && energy_.growth() > 0.5 * EnergyWatch::limit) {
             trouble.reason += "; the energy had grown by " + percent(energy_.growth()) + " of that in play";
             trouble.cause = "energy-growth";
@@ -170,7 +173,7 @@ private:
                       ratio > 1 ? "; likely cause: the time step is %.3g times h/(c + |v|)"
                                 : "; the time step is %.3g of h/(c + |v|), so look at the scheme",
                       ratio);
-        if (trouble.cause != "numerical-fracture") trouble.reason += text;
+        if (trouble.cause != "numerical-fracture" && trouble.cause != "bodies-passed-through") trouble.reason += text;
     }
     double step_ratio() const { return plan_.cfl > 0 ? plan_.cfl : plan_.dt / plan_.critical_dt; }
     static std::string percent(double part) {

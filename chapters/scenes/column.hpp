@@ -97,14 +97,15 @@ struct Column : ColumnCase {
     /// Displacement of the free end, from the last particle on with its own F.
     template <class Points>
     double u_end(const Points& points) const {
-        const auto& p = points.back();
+        const auto& p = points[points.size() - 1];
         return p.x[0] - p.X[0] + (p.F(0, 0) - 1) * (length - p.X[0]);
     }
     /// A quantity of the particles at X, linear between the two nearest: the report's averages over a node's particles (its Algorithm 2).
     template <class Points, class Value>
     double at(const Points& points, double X, Value&& value) const {
-        const auto above_X = std::lower_bound(points.begin() + 1, points.end() - 1, X, [](const auto& p, double x) { return p.X[0] < x; });
-        const auto &b = *above_X, &a = *(above_X - 1);
+        std::size_t above = 1;
+        while (above + 1 < points.size() && points[above].X[0] < X) ++above;
+        const auto &b = points[above], &a = points[above - 1];
         const double part = (X - a.X[0]) / (b.X[0] - a.X[0]);
         return (1 - part) * value(a) + part * value(b);
     }

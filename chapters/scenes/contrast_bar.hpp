@@ -6,21 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "chapters/material/materials.hpp"
 #include "chapters/scenes/bar.hpp"
 
 namespace mpm {
-
-/// The law of a bar whose points with X < middle have one modulus and the others another.
-template <class HalfLaw> struct Halves {
-    static constexpr const char* name = "halves";
-    HalfLaw near, far;
-    double middle = 0;  // [length]
-
-    double wave_speed() const { return std::max(near.wave_speed(), far.wave_speed()); }
-    template <class Point> const HalfLaw& of(const Point& p) const { return p.X[0] < middle ? near : far; }
-    template <class Point, class Gradient> void update(Point& p, const Gradient& L, double dt) const { of(p).update(p, L, dt); }
-    template <class Point> double energy(const Point& p) const { return of(p).energy(p); }
-};
 
 /// First mode. With a = omega L/(2 c_1), b = omega L/(2 c_2): v = A sin(2 a x/L) in the inner half, B cos(2 b (L - x)/L) in the outer one;
 /// equal velocities and stresses in the middle, A sin a = B cos b and E_1 (a) A cos a = E_2 (b) B sin b, ask for tan a tan b =
@@ -28,7 +17,7 @@ template <class HalfLaw> struct Halves {
 template <bool TotalLagrangian> struct ContrastBar : Bar<TotalLagrangian> {
     static constexpr const char* name = "contrast-bar";
     static constexpr const char* solves = "first axial vibration of a bar whose halves differ in stiffness, fixed at x = 0, free at x = L";
-    using Law = Halves<typename Bar<TotalLagrangian>::Law>;
+    using Law = Materials<typename Bar<TotalLagrangian>::Law>;
     using Bar<TotalLagrangian>::E, Bar<TotalLagrangian>::rho, Bar<TotalLagrangian>::length, Bar<TotalLagrangian>::v0;
 
     double contrast = 1;  // E of the outer half over E of the inner one [-]
@@ -63,13 +52,16 @@ template <bool TotalLagrangian> struct ContrastBar : Bar<TotalLagrangian> {
         const double inner = std::cos(b()) / std::sin(a()) * (1 - std::cos(a())) / a(), outer = std::sin(b()) / b();
         return v0 / 2 * (inner + outer) * std::cos(omega() * t);
     }
-    Law law() const { return {{0, E / 2, rho}, {0, contrast * E / 2, rho}, length / 2}; }
+    Law law() const { return {{{0, E / 2, rho}, {0, contrast * E / 2, rho}}}; }
     double wave_speed() const { return law().wave_speed(); }
 
     Lattice<1> lattice(int cells, int per_cell) const { return this->swinging_lattice(cells, per_cell, 1.5 * v0 / omega()); }
     template <class Point> std::vector<Point> particles(int cells, int ppc) const {
         auto points = Bar<TotalLagrangian>::template particles<Point>(cells, ppc);
-        for (Point& p : points) p.v[0] = velocity(p.X[0]);
+        for (Point& p : points) {
+            p.v[0] = velocity(p.X[0]);
+            p.material = p.X[0] < length / 2 ? 0 : 1;
+        }
         return points;
     }
     template <class Points> std::array<double, 2> watch(const Points& points, double t) const {

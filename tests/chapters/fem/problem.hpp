@@ -23,7 +23,7 @@ template <class Scheme> using TransferOf = std::conditional_t<std::is_same_v<Sch
 /// A line or square of `cells` elements of size h along each axis with `gauss` points along each.
 template <int D, class Scheme, class Kernel = Hat, class Transfer = TransferOf<Scheme>, class Law = NeoHookean> struct Mesh {
     using Shape = Stored<Tensor<D, Kernel>>;
-    using P = PointFor<Scheme, Transfer, D>;
+    using P = PointFor<Scheme, Law, Transfer, D>;
     using N = NodeFor<Scheme, Transfer, D>;
     using OneBody = Body<D, P, N, Law, Shape, Transfer>;
 

@@ -1,0 +1,81 @@
+/// Bodies that lie in each other: what happens where nothing, neither a shared grid nor a contact law, keeps them apart.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+#include "lab/body.hpp"
+#include "lab/monitor.hpp"
+
+namespace mpm {
+
+/// Boxes of the size of a grid cell around all particles, wherever these are: those of total-Lagrangian schemes may leave their grid.
+template <int D> class CellBoxes {
+public:
+    template <class Bodies> explicit CellBoxes(const Bodies& bodies) {
+        const Lattice<D>& lattice = bodies.front()->grid.lattice();
+        Vec<D> high = Vec<D>::Constant(-std::numeric_limits<double>::infinity());
+        low_ = -high;
+        h_ = lattice.h();
+        for (const auto* body : bodies)
+            for (const auto& p : body->points) low_ = low_.cwiseMin(p.x), high = high.cwiseMax(p.x);
+        double boxes = 1;
+        for (int d = 0; d < D; ++d) {
+            low_[d] = lattice.origin()[d] + std::floor((low_[d] - lattice.origin()[d]) / h_[d]) * h_[d];  // on the lattice's lines
+            cells_[static_cast<std::size_t>(d)] = std::floor((high[d] - low_[d]) / h_[d]) + 1;
+            boxes *= cells_[static_cast<std::size_t>(d)];
+        }
+        usable = boxes < 1e8;  // also false for nan
+        if (usable) count_ = static_cast<std::size_t>(boxes);
+    }
+
+    bool usable = false;
+    std::size_t count() const { return count_; }
+    double volume() const { return h_.prod(); }
+    std::size_t of(const Vec<D>& x) const {
+        double cell = 0;
+        for (int d = D; d-- > 0;) cell = cell * cells_[static_cast<std::size_t>(d)] + std::floor((x[d] - low_[d]) / h_[d]);
+        return static_cast<std::size_t>(cell);
+    }
+
+private:
+    Vec<D> low_, h_;
+    std::array<double, D> cells_{};
+    std::size_t count_ = 0;
+};
+
+/// Two bodies pass through each other where both fill a cell by more than 0.6: bodies in contact share a cell's room, so that their parts
+/// sum to one. Bodies are pointers to Matter. Meant for records, not for every step.
+template <int D, class Bodies> Trouble check_overlap(const Bodies& bodies) {
+    constexpr double filled = 0.6;
+    const CellBoxes<D> boxes(bodies);
+    if (!boxes.usable) return {};  // a particle far away or not a number: other checks say so
+    const double enough = filled * boxes.volume();
+    std::vector<double> volume(boxes.count());
+    std::vector<int> owner(boxes.count(), -1);
+    int number = 0, cells = 0;
+    std::ostringstream s;
+    for (const auto* body : bodies) {
+        std::fill(volume.begin(), volume.end(), 0.0);
+        for (const auto& p : body->points) {
+            const std::size_t cell = boxes.of(p.x);
+            if (volume[cell] > enough) continue;  // this body owns it already
+            volume[cell] += p.V;
+            if (!(volume[cell] > enough)) continue;
+            if (owner[cell] < 0)
+                owner[cell] = number;
+            else if (++cells == 1)
+                s << "bodies " << owner[cell] << " and " << number << " lie in each other beside x = " << p.x.transpose();
+        }
+        ++number;
+    }
+    if (cells == 0) return {};
+    s << ": " << cells << " cell" << (cells > 1 ? "s" : "") << " filled more than " << filled << " by each of two bodies; no contact keeps them apart";
+    return {"bodies-passed-through", s.str()};
+}
+
+}  // namespace mpm
