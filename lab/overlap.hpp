@@ -21,15 +21,19 @@ public:
         Vec<D> high = Vec<D>::Constant(-std::numeric_limits<double>::infinity());
         low_ = -high;
         h_ = lattice.h();
+        bool finite = true;
         for (const auto* body : bodies)
-            for (const auto& p : body->points) low_ = low_.cwiseMin(p.x), high = high.cwiseMax(p.x);
+            for (const auto& p : body->points) {
+                low_ = low_.cwiseMin(p.x), high = high.cwiseMax(p.x);
+                finite = finite && p.x.allFinite();
+            }
         double boxes = 1;
         for (int d = 0; d < D; ++d) {
             low_[d] = lattice.origin()[d] + std::floor((low_[d] - lattice.origin()[d]) / h_[d]) * h_[d];  // on the lattice's lines
             cells_[static_cast<std::size_t>(d)] = std::floor((high[d] - low_[d]) / h_[d]) + 1;
             boxes *= cells_[static_cast<std::size_t>(d)];
         }
-        usable = boxes < 1e8;  // also false for nan
+        usable = finite && boxes < 1e8;
         if (usable) count_ = static_cast<std::size_t>(boxes);
     }
 
