@@ -64,6 +64,7 @@ struct Body : Matter<Dim, PointType, NodeType, LawType> {
 
     Shape shape;
     Transfer transfer;
+    std::vector<NodeType> corner_nodes = {};  // of shapes that go by corners (review appendix C)
 };
 
 /// The particles of all bodies one after the other, as a range with size() and [i].
@@ -103,19 +104,36 @@ private:
     const std::vector<Matter*>& bodies_;
 };
 
+/// Whether the stencils of a shape count corners of domains, through which it reaches the grid.
+template <class Shape> constexpr bool goes_by_corners = requires(const Shape& shape) { shape.corners(); };
+
+/// Moves what belongs to the weighting function with the grid, e.g. corners of domains (review 3.38); most have nothing to move.
+template <class Body> void follow(Body& body, double dt) {
+    if constexpr (requires { body.shape.follow(body, dt); }) body.shape.follow(body, dt);
+}
+
 /// Visits every particle with its weights; the visitor may write to the nodes: `scatter(body, [](auto& p, const auto& weights)
 /// {...})`. A particle outside the grid throws OutsideGrid.
 template <class Body, class Visit> void scatter(Body& body, Visit&& visit) {
     auto* nodes = &*body.grid.begin();
+    if constexpr (goes_by_corners<typename Body::Shape>) {
+        body.shape.corners().from_grid(body.grid, body.corner_nodes);
+        nodes = body.corner_nodes.data();
+    }
     for (std::size_t i = 0; i < body.points.size(); ++i) {
         const auto& stencil = body.shape(body.points[i], i);
         visit(body.points[i], Weights{stencil, nodes});
     }
+    if constexpr (goes_by_corners<typename Body::Shape>) body.shape.corners().to_grid(body.corner_nodes, body.grid);
 }
 
 /// Visits every particle with its weights; the visitor only reads the nodes.
 template <class Body, class Visit> void gather(Body& body, Visit&& visit) {
     const auto* nodes = &*body.grid.begin();
+    if constexpr (goes_by_corners<typename Body::Shape>) {
+        body.shape.corners().from_grid(body.grid, body.corner_nodes);
+        nodes = body.corner_nodes.data();
+    }
     for (std::size_t i = 0; i < body.points.size(); ++i) {
         const auto& stencil = body.shape(body.points[i], i);
         visit(body.points[i], Weights{stencil, nodes});

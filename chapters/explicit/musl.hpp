@@ -12,6 +12,7 @@ struct Musl {
     template <int Dim> struct NodeOf : mpm::Node<Dim> {
         Vec<Dim> v_tilde = Vec<Dim>::Zero();  // velocity before the second mapping
         void reset() { *this = NodeOf(); }
+        static constexpr auto fields() { return std::tuple_cat(mpm::Node<Dim>::fields(), std::tuple(&NodeOf::v_tilde)); }
     };
 
     template <class Bodies, class Coupling, class Scene>
@@ -65,6 +66,7 @@ struct Musl {
                 p.V = p.F.determinant() * p.V0;                                           // 27
                 body.law.update(p, L, dt);                                                // 28
             });
+            follow(body, dt);
         }
     }
 };

@@ -1,5 +1,7 @@
 /// The state that every explicit scheme of review section 2 keeps on a particle and on a node. Any consistent units.
 #pragma once
+#include <tuple>
+
 #include "lab/math.hpp"
 
 namespace mpm {
@@ -20,6 +22,8 @@ template <int Dim> struct Node {
     Vec<D> f = Vec<D>::Zero();                                       // force
     Vec<D> v = Vec<D>::Zero(), v_new = Vec<D>::Zero();               // velocity at t, at t + dt
     void reset() { *this = Node(); }
+    static constexpr auto sums() { return std::tuple(&Node::m, &Node::mv, &Node::mv_new, &Node::f); }  // chapters/cpdi
+    static constexpr auto fields() { return std::tuple(&Node::v, &Node::v_new); }
 };
 
 /// (m v) / m, and zero where no mass is: no division by a small mass is hidden, `m > 0` is exact.

@@ -51,6 +51,7 @@ struct Usf {
                 body.transfer.update_velocity(p, weights);                                // 28
                 p.x += dt * body.transfer.moving(p, v);                                   // 29
             });
+            follow(body, dt);
         }
     }
 };

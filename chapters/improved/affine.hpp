@@ -13,6 +13,7 @@ template <bool TotalLagrangian> struct Apic {
     };
     template <class Base> struct NodeOf : Base {
         Vec<Base::D> x = Vec<Base::D>::Zero();  // position, told by the grid
+        static constexpr auto fields() { return std::tuple_cat(Base::fields(), std::tuple(&NodeOf::x)); }
     };
 
     template <class Point> static const auto& place(const Point& p) {

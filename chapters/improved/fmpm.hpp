@@ -18,6 +18,8 @@ struct Fmpm {
     template <class Point> using PointOf = Point;
     template <class Base> struct NodeOf : Base {
         Vec<Base::D> term = Vec<Base::D>::Zero(), mapped = Vec<Base::D>::Zero();  // one term of the series; its S^T M S, a momentum
+        static constexpr auto sums() { return std::tuple_cat(Base::sums(), std::tuple(&NodeOf::mapped)); }
+        static constexpr auto fields() { return std::tuple_cat(Base::fields(), std::tuple(&NodeOf::term)); }
     };
 
     template <class Point, class Node> const auto& velocity(const Point& p, const Node&) const { return p.v; }
