@@ -114,6 +114,20 @@ void curves(std::ostream& s, const Panel& p, const std::string& csv) {
     s << "\n";
 }
 
+/// The lines before anything is plotted.
+void head(std::ostream& s, const std::string& name, int width, int height) {
+    const auto size = [&](double unit) { return number_text(width * unit) + "," + number_text(height * unit); };
+    s << "# gnuplot " << name << ".gp draws " << name << ".png; other kinds: gnuplot -e \"kind='svg'\" " << name << ".gp\n"
+      << "if (!exists(\"kind\")) kind = 'png'\ntex = kind eq 'tikz'\nset encoding utf8\n"
+      << "if (kind eq 'png') set terminal pngcairo size " << size(1) << " font ',18'\n"
+      << "if (kind eq 'svg') set terminal svg size " << size(1) << " dynamic font 'sans-serif,18' background rgb 'white'\n"
+      << "if (kind eq 'pdf') set terminal pdfcairo size " << size(0.005) << " font ',9'\n"
+      << "if (tex) set terminal cairolatex pdf size " << size(0.005) << "\n"
+      << "set output " << in_gnuplot(name + ".") << ".(tex ? 'tex' : kind)\n"
+      << "set datafile separator ','\nset grid lc rgb '#dddddd' lt 1 lw 1\n"
+      << line_types;
+}
+
 std::string in_shell(const std::string& word) { return "'" + replaced(word, {{"'", "'\\''"}}) + "'"; }
 
 }  // namespace
@@ -122,18 +136,9 @@ std::string write_figure(const std::string& folder, const std::string& name, con
                          const std::vector<Panel>& panels, int columns) {
     const int rows = (static_cast<int>(panels.size()) + columns - 1) / columns;
     const int width = columns == 1 ? 1200 : 750 * columns, height = (columns == 1 ? 480 : 460) * rows + 40;
-    const auto size = [&](double unit) { return number_text(width * unit) + "," + number_text(height * unit); };
     return write_script(folder, name, [&](std::ostream& s) {
-        s << "# gnuplot " << name << ".gp draws " << name << ".png; other kinds: gnuplot -e \"kind='svg'\" " << name << ".gp\n"
-          << "if (!exists(\"kind\")) kind = 'png'\ntex = kind eq 'tikz'\nset encoding utf8\n"
-          << "if (kind eq 'png') set terminal pngcairo size " << size(1) << " font ',18'\n"
-          << "if (kind eq 'svg') set terminal svg size " << size(1) << " dynamic font 'sans-serif,18' background rgb 'white'\n"
-          << "if (kind eq 'pdf') set terminal pdfcairo size " << size(0.005) << " font ',9'\n"
-          << "if (tex) set terminal cairolatex pdf size " << size(0.005) << "\n"
-          << "set output " << in_gnuplot(name + ".") << ".(tex ? 'tex' : kind)\n"
-          << "set datafile separator ','\nset grid lc rgb '#dddddd' lt 1 lw 1\n"
-          << line_types
-          << (columns == 1 ? "set key outside right top\n" : "set key outside right top samplen 1.5\nset offsets graph 0, 0, 0.04, 0.04\n")
+        head(s, name, width, height);
+        s << (columns == 1 ? "set key outside right top\n" : "set key outside right top samplen 1.5\nset offsets graph 0, 0, 0.04, 0.04\n")
           << "set multiplot layout " << rows << "," << columns << " title " << label(title, true) << " noenhanced\n";
         for (const Panel& p : panels) {
             s << "set title " << label(p.title) << "\nset xlabel " << label(p.x_label) << "\nset ylabel " << label(p.y_label) << "\n";
@@ -141,6 +146,13 @@ std::string write_figure(const std::string& folder, const std::string& name, con
             p.surface_y.empty() ? curves(s, p, file) : surface(s, p, file);
         }
         s << "unset multiplot\n";
+    });
+}
+
+std::string write_drawing(const std::string& folder, const std::string& name, int width, int height, const std::string& body) {
+    return write_script(folder, name, [&](std::ostream& s) {
+        head(s, name, width, height);
+        s << body;
     });
 }
 

@@ -9,6 +9,12 @@ foreach(program usl_bar usf_bar musl_bar tlmpm_bar)
            COMMAND sh ${house}/light.sh $<TARGET_FILE:${program}> ${CMAKE_SOURCE_DIR}/chapters/explicit/${program}.cpp ${compile})
 endforeach()
 
+# Only fill_demo may link the targets `mesh` (CGAL, GPL) and `image` (libpng).
+get_property(programs GLOBAL PROPERTY mpm_programs)
+list(REMOVE_ITEM programs fill_demo)
+list(TRANSFORM programs REPLACE "(.+)" "$<TARGET_FILE:\\1>")
+add_test(NAME house.links COMMAND sh ${house}/links.sh ${programs} $<TARGET_FILE:compare> $<TARGET_FILE:stability>)
+
 # Each file of tests/must_not_compile says in a line "// must say: REGEX" what a student must be able to read in the compiler's error (g++ in
 # English). Those without such a line are controls, which compile.
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/must_not_compile/*.cpp)
