@@ -54,8 +54,8 @@ inline CellRule gauss_points(int n) {
 /// By name, as `--points` calls them.
 inline CellRule cell_rule(const std::string& points, int n) { return points == "gauss" ? gauss_points(n) : middles(n); }
 
-/// The part of the cell that each point of a rule stands for: it ends where the next one's begins [cells]. Every point lies in its own part;
-/// for Gauss points this is the separation theorem of Chebyshev, Markov and Stieltjes.
+/// The part of the cell that each point of a rule stands for: it ends where the next one's begins [cells]. Every point lies in its own
+/// part; for Gauss points this is the separation theorem of Chebyshev, Markov and Stieltjes.
 inline std::vector<double> part_ends(const CellRule& rule) {
     std::vector<double> ends(rule.part.size() + 1, 0);
     for (std::size_t q = 0; q < rule.part.size(); ++q) ends[q + 1] = ends[q] + rule.part[q];
@@ -69,8 +69,8 @@ struct CellRange {
     long size() const { return static_cast<long>(end[0] - begin[0]) * (end[1] - begin[1]); }
 };
 
-/// The cells of a lattice that a rectangle touches, from the integer coordinates of its corners (review figure 34); none where it is empty or
-/// beyond the lattice.
+/// The cells of a lattice that a rectangle touches, from the integer coordinates of its corners (review figure 34); none where it is empty
+/// or beyond the lattice.
 inline CellRange cells_of(const Bounds& box, const Lattice<2>& lattice) {
     CellRange range;
     for (const int d : {0, 1}) {
@@ -100,17 +100,20 @@ template <class Point, class X> Point particle_at(const X& x, double V0, double 
 template <class Visit> void each_point(const Bounds& bounds, const Lattice<2>& lattice, const CellRule& rule, Visit&& visit) {
     const CellRange cells = cells_of(bounds, lattice);
     const std::vector<double> ends = part_ends(rule);
-    const auto place = [&](int i, int j, double x, double y) { return Vec<2>(lattice.origin() + lattice.h().cwiseProduct(Vec<2>(i + x, j + y))); };
+    const auto place = [&](int i, int j, double x, double y) {
+        return Vec<2>(lattice.origin() + lattice.h().cwiseProduct(Vec<2>(i + x, j + y)));
+    };
     for (int j = cells.begin[1]; j < cells.end[1]; ++j)
         for (int i = cells.begin[0]; i < cells.end[0]; ++i)
             for (std::size_t q = 0; q < rule.at.size(); ++q)
                 for (std::size_t p = 0; p < rule.at.size(); ++p)
-                    visit(place(i, j, rule.at[p], rule.at[q]), Bounds{place(i, j, ends[p], ends[q]), place(i, j, ends[p + 1], ends[q + 1])});
+                    visit(place(i, j, rule.at[p], rule.at[q]),
+                          Bounds{place(i, j, ends[p], ends[q]), place(i, j, ends[p + 1], ends[q + 1])});
 }
 
-/// The points of a region on a lattice, in cell order (x fastest, then y), each with its part of the cell: V0 [length^2], m = rho V0, rho the
-/// mass per area. Visits only the cells that the region's bounds touch; several objects take one call each, so that n cells and m objects
-/// never cost n m. What lies beyond the lattice gets no points. Total volume: see `placement_error`.
+/// The points of a region on a lattice, in cell order (x fastest, then y), each with its part of the cell: V0 [length^2], m = rho V0, rho
+/// the mass per area. Visits only the cells that the region's bounds touch; several objects take one call each, so that n cells and m
+/// objects never cost n m. What lies beyond the lattice gets no points. Total volume: see `placement_error`.
 template <class Point, Region Shape>
 std::vector<Point> particles_inside(const Shape& shape, const Lattice<2>& lattice, const CellRule& rule, double rho) {
     std::vector<Point> all;
@@ -141,8 +144,8 @@ template <Region Shape> double shared_area(const Shape& shape, const Bounds& box
     }
 }
 
-/// As particles_inside, but V0 is the area that the region shares with each point's box (`shared_area`): every box of which a part is inside
-/// gets a particle at its point, even if that point is just outside. A sliver gives a particle of little mass.
+/// As particles_inside, but V0 is the area that the region shares with each point's box (`shared_area`): every box of which a part is
+/// inside gets a particle at its point, even if that point is just outside. A sliver gives a particle of little mass.
 template <class Point, Region Shape>
 std::vector<Point> particles_by_share(const Shape& shape, const Lattice<2>& lattice, const CellRule& rule, double rho, int samples = 8) {
     std::vector<Point> all;
@@ -152,10 +155,10 @@ std::vector<Point> particles_by_share(const Shape& shape, const Lattice<2>& latt
     return all;
 }
 
-/// Bound on | total volume - area | [length^2] of particles_inside for a region whose boundary consists of closed curves of this total length:
-/// box and region differ only at points nearer to the boundary than d, the largest distance between a point and a corner of its box, and the
-/// points within d of a closed curve cover at most 2 d length + pi d^2. With samples > 0 that of particles_by_share, by sampling. The typical
-/// error is far smaller: it falls as h^(3/2) for a smooth curve across the cells, the bound as h.
+/// Bound on | total volume - area | [length^2] of particles_inside for a region whose boundary consists of closed curves of this total
+/// length: box and region differ only at points nearer to the boundary than d, the largest distance between a point and a corner of its
+/// box, and the points within d of a closed curve cover at most 2 d length + pi d^2. With samples > 0 that of particles_by_share, by
+/// sampling. The typical error is far smaller: it falls as h^(3/2) for a smooth curve across the cells, the bound as h.
 inline double placement_error(const Lattice<2>& lattice, const CellRule& rule, double length, int curves = 1, int samples = 0) {
     double d = 0;  // in cells
     const std::vector<double> ends = part_ends(rule);

@@ -52,6 +52,8 @@ struct Disk {
     double perimeter() const { return 2 * std::numbers::pi * r; }
     double overlap(const Bounds& box) const {
         const Vec<2> a = (box.low - centre) / r, b = (box.high - centre) / r;
+        if (a.cwiseAbs().cwiseMax(b.cwiseAbs()).norm() <= 1) return (box.high - box.low).prod();
+        if (a.cwiseMax(0).cwiseMax(-b).norm() >= 1) return 0;  // its nearest point is outside
         return r * r * std::max(0.0, below(b[0], b[1]) - below(a[0], b[1]) - below(b[0], a[1]) + below(a[0], a[1]));
     }
 

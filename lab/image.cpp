@@ -67,21 +67,25 @@ Image decode_pnm(const std::string& bytes, const std::string& path) {
     image.height = numbers.next("height");
     detail::check_size(image.width, image.height, path);
     const int largest = numbers.next("largest level");
-    if (largest < 1 || largest > 65535) throw detail::unreadable(path, "its largest level is " + std::to_string(largest) + ", allowed 1 ... 65535");
+    if (largest < 1 || largest > 65535)
+        throw detail::unreadable(path, "its largest level is " + std::to_string(largest) + ", allowed 1 ... 65535");
 
-    const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height), samples = pixels * (colour ? 3 : 1);
+    const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
+                      samples = pixels * (colour ? 3 : 1);
     const std::string_view raster = numbers.rest();
     const std::size_t width = largest > 255 ? 2 : 1, needed = plain ? 2 * samples - 1 : width * samples;  // bytes, at least
     if (raster.size() < needed)
-        throw detail::unreadable(path, "it ends too early: " + std::to_string(samples) + " levels need " + std::to_string(needed) + " bytes, it has " +
-                                           std::to_string(raster.size()));
-    if (!plain && raster.find_first_not_of(" \t\r\n", needed) != std::string_view::npos) throw detail::unreadable(path, "more follows its last pixel");
+        throw detail::unreadable(path, "it ends too early: " + std::to_string(samples) + " levels need " + std::to_string(needed) +
+                                           " bytes, it has " + std::to_string(raster.size()));
+    if (!plain && raster.find_first_not_of(" \t\r\n", needed) != std::string_view::npos)
+        throw detail::unreadable(path, "more follows its last pixel");
     std::size_t at = 0;
     const auto byte = [&] { return static_cast<int>(static_cast<unsigned char>(raster[at++])); };
     const auto level = [&] {
         const int high = !plain && width == 2 ? byte() : 0;
         const int value = plain ? numbers.next("level") : 256 * high + byte();
-        if (value > largest) throw detail::unreadable(path, "a level is " + std::to_string(value) + ", its largest should be " + std::to_string(largest));
+        if (value > largest)
+            throw detail::unreadable(path, "a level is " + std::to_string(value) + ", its largest should be " + std::to_string(largest));
         return static_cast<float>(value) / static_cast<float>(largest);
     };
     image.pixels.resize(pixels);
@@ -94,14 +98,18 @@ Image decode_pnm(const std::string& bytes, const std::string& path) {
     return image;
 }
 
+/// Single precision: far below a step of 16 bits, 1.5e-5.
+constexpr double rounding = 1e-6;
+
 /// The nearest level, or none within the tolerance.
 const Level* nearest_level(const Colour& colour, const std::vector<Level>& levels, double tolerance) {
     const Level* nearest = nullptr;
     double least = std::numeric_limits<double>::infinity();
     for (const Level& level : levels) {
         double distance = 0;
-        for (std::size_t i = 0; i < 3; ++i) distance = std::max(distance, std::abs(static_cast<double>(colour[i]) - static_cast<double>(level.colour[i])));
-        if (distance < least && distance <= tolerance) nearest = &level, least = distance;
+        for (std::size_t i = 0; i < 3; ++i)
+            distance = std::max(distance, std::abs(static_cast<double>(colour[i]) - static_cast<double>(level.colour[i])));
+        if (distance < least && distance <= tolerance + rounding) nearest = &level, least = distance;
     }
     return nearest;
 }
@@ -114,7 +122,9 @@ Image read_image(const std::string& path) {
     if (bytes.starts_with("\x89PNG")) return detail::decode_png(bytes, path);
     const bool pnm = bytes.size() > 2 && bytes[0] == 'P' && std::string_view("2356").find(bytes[1]) != std::string_view::npos &&
                      std::string_view(" \t\r\n#").find(bytes[2]) != std::string_view::npos;
-    if (!pnm) throw detail::unreadable(path, "it is no PGM or PPM (P2, P3, P5, P6) and no PNG: it starts with " + one_line(bytes.substr(0, 8), 8));
+    if (!pnm)
+        throw detail::unreadable(path,
+                                 "it is no PGM or PPM (P2, P3, P5, P6) and no PNG: it starts with " + one_line(bytes.substr(0, 8), 8));
     return decode_pnm(bytes, path);
 }
 
@@ -134,9 +144,12 @@ TaggedPixels tag_pixels(const Image& image, const std::vector<Level>& levels, do
     for (int row = image.height - 1; row >= 0; --row)
         for (int column = 0; column < image.width; ++column) {
             const Level* level = nearest_level(image.at(column, row), levels, tolerance);
-            if (level == nullptr) ++tagged.unmatched;
-            else if (level->material < 0) ++tagged.background;
-            else tagged.pixels.push_back({corner + size * Vec<2>(column + 0.5, image.height - 1 - row + 0.5), size * size, level->material});
+            if (level == nullptr)
+                ++tagged.unmatched;
+            else if (level->material < 0)
+                ++tagged.background;
+            else
+                tagged.pixels.push_back({corner + size * Vec<2>(column + 0.5, image.height - 1 - row + 0.5), size * size, level->material});
         }
     return tagged;
 }

@@ -1,5 +1,5 @@
-/// Digital images: PGM and PPM (P2, P3, P5, P6, up to 16 bits) and PNG (any kind); and the particles made of them, one in each pixel (review
-/// 4.1.3). Link target `image` (libpng behind image_png.cpp).
+/// Digital images: PGM and PPM (P2, P3, P5, P6, up to 16 bits) and PNG (any kind); and the particles made of them, one in each pixel
+/// (review 4.1.3). Link target `image` (libpng behind image_png.cpp).
 #pragma once
 #include <array>
 #include <string>
@@ -20,11 +20,13 @@ struct Image {
     int width = 0, height = 0;
     std::vector<Colour> pixels;  // row by row from the top, each from left to right
 
-    Colour at(int column, int row) const { return pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)]; }
+    Colour at(int column, int row) const {
+        return pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+    }
 };
 
-/// Reads a PGM, PPM or PNG file, told apart by its first bytes. A level is the file's number over its largest; what is transparent is seen on
-/// white. Throws FileTrouble, saying why, for a file that cannot be read as a whole.
+/// Reads a PGM, PPM or PNG file, told apart by its first bytes. A level is the file's number over its largest; what is transparent is seen
+/// on white. Throws FileTrouble, saying why, for a file that cannot be read as a whole.
 Image read_image(const std::string& path);
 /// Writes a binary PPM (P6) or a PNG, 8 bits a colour. Throws FileTrouble.
 void write_ppm(const std::string& path, const Image& image);
@@ -47,12 +49,14 @@ struct TaggedPixels {
     long background = 0, unmatched = 0;  // pixels of the background; of colours too far from every level
 };
 
-/// The pixels of an image whose lower left corner is at `corner`, `size` wide and high each [length] (total width / image.width), row by row from
-/// the bottom, each with the material of the nearest level (the first of equals). The distance of colours is the largest difference of a component; beyond
-/// `tolerance` a pixel is left out and counted. Throws BadInput for an image without pixels, no levels, a size that is not > 0 or a negative tolerance.
+/// The pixels of an image whose lower left corner is at `corner`, `size` wide and high each [length] (total width / image.width), row by
+/// row from the bottom, each with the material of the nearest level (the first of equals). The distance of colours is the largest
+/// difference of a component; beyond `tolerance` (to single precision) a pixel is left out and counted. Throws BadInput for an image
+/// without pixels, no levels, a size that is not > 0 or a negative tolerance.
 TaggedPixels tag_pixels(const Image& image, const std::vector<Level>& levels, double tolerance, const Vec<2>& corner, double size);
 
-/// Particles of tagged pixels, m = rho V with rho by material; `material` is set where Point has one. Throws BadInput for a material without a density.
+/// Particles of tagged pixels, m = rho V with rho by material; `material` is set where Point has one. Throws BadInput for a material
+/// without a density.
 template <class Point> std::vector<Point> particles_of(const std::vector<Tagged>& pixels, const std::vector<double>& rho) {
     std::vector<Point> all;
     for (const Tagged& pixel : pixels) {

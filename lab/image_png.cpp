@@ -14,7 +14,8 @@
 namespace mpm {
 namespace {
 
-/// libpng answers trouble with longjmp, over which no object may be destroyed: all that it may be met in lives outside of the functions that set jumps.
+/// libpng answers trouble with longjmp, over which no object may be destroyed: all that it may be met in lives outside of the functions
+/// that set jumps.
 struct Png {
     const std::string* bytes = nullptr;  // of the file that is read
     std::size_t at = 0;

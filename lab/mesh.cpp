@@ -85,9 +85,13 @@ Triangles taken_from(const Triangulation& triangulation) {
 Triangles refine(const Polygon& domain, double size, double min_angle, int most) {
     if (!(size > 0) || !std::isfinite(size)) throw BadInput("mesh: size = " + number_text(size) + ": allowed > 0");
     if (!(min_angle >= 0 && min_angle <= largest_min_angle))
-        throw BadInput("mesh: smallest angle = " + number_text(min_angle) + ": allowed 0 ... " + number_text(largest_min_angle) + " degrees");
-    const auto too_many = [&] { return BadInput("mesh: size = " + number_text(size) + " needs more than " + std::to_string(most) + " triangles"); };
-    if (!(domain.area() / size / size * 2 < most)) throw too_many();  // an edge is at most `size`: a triangle covers less than half a square of it
+        throw BadInput("mesh: smallest angle = " + number_text(min_angle) + ": allowed 0 ... " + number_text(largest_min_angle) +
+                       " degrees");
+    const auto too_many = [&] {
+        return BadInput("mesh: size = " + number_text(size) + " needs more than " + std::to_string(most) + " triangles");
+    };
+    if (!(domain.area() / size / size * 2 < most))
+        throw too_many();  // an edge is at most `size`: a triangle covers less than half a square of it
 
     Triangulation triangulation;
     for (const Outline& outline : domain.outlines()) add(outline, triangulation);
@@ -96,9 +100,12 @@ Triangles refine(const Polygon& domain, double size, double min_angle, int most)
     Mesher mesher(triangulation, Criteria(sine * sine, size));
     mesher.set_seeds(holes.begin(), holes.end());
     mesher.init();
+    // A mesh of n points has at least n - 2 triangles. Points are counted already; for triangles CGAL walks around the convex hull.
     while (mesher.step_by_step_refine_mesh())
-        if (triangulation.number_of_faces() > 2 * static_cast<std::size_t>(most)) throw too_many();
-    return taken_from(triangulation);
+        if (triangulation.number_of_vertices() > static_cast<std::size_t>(most) + 2) throw too_many();
+    Triangles mesh = taken_from(triangulation);
+    if (mesh.corners.size() > static_cast<std::size_t>(most)) throw too_many();
+    return mesh;
 }
 
 }  // namespace mpm

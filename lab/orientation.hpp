@@ -8,8 +8,8 @@
 
 namespace mpm {
 
-/// Sign of the area of the triangle a, b, c: 1 if counterclockwise, -1 if clockwise, 0 if and only if they lie on one line. Coordinates must
-/// be such that their products neither overflow nor fall under 1e-290. Exact by sums of products split into value and rounding error
+/// Sign of the area of the triangle a, b, c: 1 if counterclockwise, -1 if clockwise, 0 if and only if they lie on one line. Coordinates
+/// must be such that their products neither overflow nor fall under 1e-290. Exact by sums of products split into value and rounding error
 /// (Shewchuk 1997), where plain arithmetic cannot tell.
 inline int orientation(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
     const double left = (b[0] - a[0]) * (c[1] - a[1]), right = (b[1] - a[1]) * (c[0] - a[0]), plain = left - right;

@@ -38,13 +38,14 @@ Polygon::Polygon(Outline outer, std::vector<Outline> holes) {
     check_holes();
 }
 
-/// Outlines do not meet: a hole lies where any corner of it does. To the right of its rightmost corner are only edges of others; their number is odd
-/// if it lies in the outer outline and in no other hole.
+/// Outlines do not meet: a hole lies where any corner of it does. To the right of its rightmost corner are only edges of others; their
+/// number is odd if it lies in the outer outline and in no other hole.
 void Polygon::check_holes() const {
     for (std::size_t k = 1; k < outlines_.size(); ++k) {
         const Outline& hole = outlines_[k];
         const auto rightmost = std::max_element(hole.begin(), hole.end(), [](const Vec<2>& a, const Vec<2>& b) { return a[0] < b[0]; });
-        if (!inside(*rightmost)) throw BadInput("polygon: hole " + std::to_string(k) + " does not lie in the outline, or lies in another hole");
+        if (!inside(*rightmost))
+            throw BadInput("polygon: hole " + std::to_string(k) + " does not lie in the outline, or lies in another hole");
     }
 }
 
@@ -58,7 +59,9 @@ void Polygon::build() {
 
     const std::size_t leaves = std::bit_ceil(levels_.size() - 1);
     tree_.resize(2 * leaves);  // node k has the children 2 k and 2 k + 1
-    const auto level = [&](double y) { return static_cast<std::size_t>(std::lower_bound(levels_.begin(), levels_.end(), y) - levels_.begin()); };
+    const auto level = [&](double y) {
+        return static_cast<std::size_t>(std::lower_bound(levels_.begin(), levels_.end(), y) - levels_.begin());
+    };
     for (const Outline& outline : outlines_)
         for (std::size_t i = 0; i < outline.size(); ++i) {
             Edge edge{outline[i], outline[(i + 1) % outline.size()]};
@@ -106,7 +109,9 @@ namespace {
 /// Reads the numbers of a line with blanks or one comma between; false unless they are exactly two.
 bool read_corner(std::string_view line, Vec<2>& x) {
     const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    const auto skip = [&] { while (!line.empty() && blank(line.front())) line.remove_prefix(1); };
+    const auto skip = [&] {
+        while (!line.empty() && blank(line.front())) line.remove_prefix(1);
+    };
     for (const int d : {0, 1}) {
         skip();
         if (d == 1 && !line.empty() && line.front() == ',') line.remove_prefix(1), skip();
@@ -137,7 +142,8 @@ Polygon read_polygon(const std::string& path) {
         }
         Vec<2>& x = outlines.back().emplace_back();
         if (!read_corner(line, x))
-            throw FileTrouble("cannot read '" + one_line(path, 300) + "': line " + std::to_string(number) + " is not x, y: " + one_line(line));
+            throw FileTrouble("cannot read '" + one_line(path, 300) + "': line " + std::to_string(number) +
+                              " is not x, y: " + one_line(line));
     }
     if (outlines.back().empty() && outlines.size() > 1) outlines.pop_back();
     for (Outline& outline : outlines)

@@ -15,13 +15,13 @@ double signed_area(const Outline& outline);
 /// n corners on a circle, counterclockwise from the right.
 Outline circle(const Vec<2>& centre, double r, int n);
 
-/// Inside the outer outline and in no hole. Of polygons that share an edge exactly one holds a point of it: for a rectangle, the left and lower edges
-/// belong to it. A query takes O(log^2 n), memory O(n log n).
+/// Inside the outer outline and in no hole. Of polygons that share an edge exactly one holds a point of it: for a rectangle, the left and
+/// lower edges belong to it. A query takes O(log^2 n), memory O(n log n).
 class Polygon {
 public:
-    /// Throws BadInput, naming the outline and its corners (counted from 1), unless each outline has at least three corners of finite numbers and
-    /// encloses an area, no corner is there twice, no outline crosses or touches itself or another, and the holes lie in the outer one and not in
-    /// each other. Without rounding error, in O(n log n) for n corners.
+    /// Throws BadInput, naming the outline and its corners (counted from 1), unless each outline has at least three corners of finite
+    /// numbers and encloses an area, no corner is there twice, no outline crosses or touches itself or another, and the holes lie in the
+    /// outer one and not in each other. Without rounding error, in O(n log n) for n corners.
     explicit Polygon(Outline outer, std::vector<Outline> holes = {});
 
     bool inside(const Vec<2>& x) const;
@@ -43,8 +43,8 @@ private:
     std::vector<Outline> outlines_;
     Bounds bounds_;
     std::vector<double> levels_;  // heights of corners, from low to high, each once
-    /// A binary tree over the slabs between levels: each edge stands in the few nodes whose slabs it crosses whole. Edges do not cross, so that
-    /// those of a node have an order from left to right.
+    /// A binary tree over the slabs between levels: each edge stands in the few nodes whose slabs it crosses whole. Edges do not cross, so
+    /// that those of a node have an order from left to right.
     std::vector<std::vector<Edge>> tree_;
 };
 

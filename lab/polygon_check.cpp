@@ -57,11 +57,13 @@ bool meet(const Side& a, const Side& b) {
 }
 
 [[noreturn]] void refuse(const Side& a, const Side& b, double unit) {
-    const auto edge = [&](const Side& s) { return "edge " + std::to_string(s.number + 1) + " from " + at(s.left * unit) + " to " + at(s.right * unit); };
+    const auto edge = [&](const Side& s) {
+        return "edge " + std::to_string(s.number + 1) + " from " + at(s.left * unit) + " to " + at(s.right * unit);
+    };
     const bool same = a.outline == b.outline;
     const Side &first = std::tie(a.outline, a.number) < std::tie(b.outline, b.number) ? a : b, &second = &first == &a ? b : a;
-    throw BadInput("polygon: " + outline_name(first.outline) + " crosses or touches " + (same ? "itself" : outline_name(second.outline)) + ": " +
-                   edge(first) + ", " + edge(second));
+    throw BadInput("polygon: " + outline_name(first.outline) + " crosses or touches " + (same ? "itself" : outline_name(second.outline)) +
+                   ": " + edge(first) + ", " + edge(second));
 }
 
 /// Throws at the first two edges that meet.
@@ -98,7 +100,8 @@ void sweep(const std::vector<Side>& sides, double unit) {
 /// Enough corners, of finite numbers.
 void check_alone(const Outline& outline, std::size_t number) {
     const std::string name = outline_name(number);
-    if (outline.size() < 3) throw BadInput("polygon: " + name + " has " + std::to_string(outline.size()) + " corners, at least 3 are needed");
+    if (outline.size() < 3)
+        throw BadInput("polygon: " + name + " has " + std::to_string(outline.size()) + " corners, at least 3 are needed");
     for (std::size_t i = 0; i < outline.size(); ++i)
         if (!outline[i].allFinite()) throw BadInput("polygon: corner " + std::to_string(i + 1) + " of " + name + " is " + at(outline[i]));
 }
@@ -110,14 +113,15 @@ void check_corners(const std::vector<Outline>& outlines) {
         for (std::size_t i = 0; i < outlines[k].size(); ++i) corners.emplace_back(outlines[k][i], k, i);
     std::sort(corners.begin(), corners.end(), [](const auto& a, const auto& b) {
         return before(std::get<0>(a), std::get<0>(b)) ||
-               (!before(std::get<0>(b), std::get<0>(a)) && std::tie(std::get<1>(a), std::get<2>(a)) < std::tie(std::get<1>(b), std::get<2>(b)));
+               (!before(std::get<0>(b), std::get<0>(a)) &&
+                std::tie(std::get<1>(a), std::get<2>(a)) < std::tie(std::get<1>(b), std::get<2>(b)));
     });
     for (std::size_t i = 1; i < corners.size(); ++i) {
         const auto& [x, k, n] = corners[i - 1];
         const auto& [y, l, m] = corners[i];
         if (x == y)
-            throw BadInput("polygon: corner " + std::to_string(n + 1) + " of " + outline_name(k) + " and corner " + std::to_string(m + 1) + " of " +
-                           outline_name(l) + " are the same, " + at(x));
+            throw BadInput("polygon: corner " + std::to_string(n + 1) + " of " + outline_name(k) + " and corner " + std::to_string(m + 1) +
+                           " of " + outline_name(l) + " are the same, " + at(x));
     }
 }
 

@@ -1,5 +1,5 @@
-/// Meshes of a plane domain as plain vectors, and the particles made of them (review 4.1.2): at centroids or at Gauss points, each with its share
-/// of the area. Cells may run either way round.
+/// Meshes of a plane domain as plain vectors, and the particles made of them (review 4.1.2): at centroids or at Gauss points, each with its
+/// share of the area. Cells may run either way round.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -30,8 +30,8 @@ struct CellMoments {
     Vec<2> centroid = Vec<2>::Zero();
 };
 
-/// Moments of the cell with these corners, from triangles at the first one. Throws BadInput, naming the cell (counted from 0), for fewer than
-/// three corners, a corner that is no point of the mesh or no number, and for a cell without area.
+/// Moments of the cell with these corners, from triangles at the first one. Throws BadInput, naming the cell (counted from 0), for fewer
+/// than three corners, a corner that is no point of the mesh or no number, and for a cell without area.
 template <class Corners> CellMoments cell_moments(const std::vector<Vec<2>>& points, const Corners& corners, std::size_t number) {
     const auto refuse = [&](const std::string& what) { return BadInput("mesh: cell " + std::to_string(number) + " " + what); };
     if (corners.size() < 3) throw refuse("has " + std::to_string(corners.size()) + " corners, at least 3 are needed");
@@ -72,8 +72,8 @@ template <class Point, class Mesh> std::vector<Point> particles_at_centroids(con
     return all;
 }
 
-/// Three particles in each triangle, at its Gauss points (area coordinates 2/3, 1/6, 1/6) with a third of the area each: exact for quadratic
-/// functions. Throws BadInput as mesh_area does.
+/// Three particles in each triangle, at its Gauss points (area coordinates 2/3, 1/6, 1/6) with a third of the area each: exact for
+/// quadratic functions. Throws BadInput as mesh_area does.
 template <class Point> std::vector<Point> particles_at_gauss_points(const Triangles& mesh, double rho) {
     if (mesh.corners.empty()) throw BadInput("mesh: it has no cells");
     std::vector<Point> all;

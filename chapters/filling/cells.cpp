@@ -31,7 +31,9 @@ Objects objects_of(const Settings& set) {
     if (!set.polygon.empty()) {
         const Polygon polygon = read_polygon(set.polygon);
         const Bounds b = polygon.bounds();
-        o = {{polygon}, polygon.area(), polygon.perimeter(), static_cast<int>(polygon.outlines().size()), b.low, (b.high - b.low).maxCoeff(), {}};
+        o = {
+            {polygon}, polygon.area(), polygon.perimeter(), static_cast<int>(polygon.outlines().size()), b.low, (b.high - b.low).maxCoeff(),
+            {}};
         for (const Outline& outline : polygon.outlines()) add_outline(outline, o.outline);
     } else if (set.region == "disks") {  // review 6.1.2
         for (const double c : {0.2, 0.8}) {
@@ -75,7 +77,8 @@ std::vector<Particle> fill(const Objects& objects, const Lattice<2>& lattice, co
 /// What placement may gain or lose: nothing where the shared area is exact.
 double bound(const Objects& objects, const Lattice<2>& lattice, const CellRule& rule, const Settings& set) {
     const bool share = set.weight == "share";
-    const bool exact = share && std::visit([](const auto& shape) { return OverlapRegion<std::decay_t<decltype(shape)>>; }, objects.all.front());
+    const bool exact =
+        share && std::visit([](const auto& shape) { return OverlapRegion<std::decay_t<decltype(shape)>>; }, objects.all.front());
     return exact ? 0 : set.rho * placement_error(lattice, rule, objects.length, objects.curves, share ? set.samples : 0);
 }
 
@@ -95,7 +98,8 @@ unset grid
 do for [k in 'mid gauss'] {
     set title (k eq 'mid' ? 'regular: middles of equal parts' : 'Gauss points')
     plot 'grid.csv' using (column('x')):(column('y')):(column('dx')):(column('dy')) with vectors nohead dt solid lc rgb '#c8c8c8' lw 1, \
-         'outline.csv' using (column('x')):(column('y')):(column('dx')):(column('dy')) with vectors nohead dt solid lc rgb '#d55e00' lw 2.5, \
+         'outline.csv' using (column('x')):(column('y')):(column('dx')):(column('dy')) \
+         with vectors nohead dt solid lc rgb '#d55e00' lw 2.5, \
          'particles_'.k.'.csv' using (column('x')):(column('y')) with points pt 7 ps @SIZE@ lc rgb 'black'
 }
 unset multiplot
@@ -183,7 +187,8 @@ plot 'grid.csv' @edges dt solid lc rgb '#909090' lw 1.5, \
      'cells.csv' using (column('i') + 0.5):(column('j') + 0.32):(sprintf('%d', column('e'))) with labels tc rgb '#0072b2'
 set title 'only cells that the bounds touch are visited'
 set style fill solid 1 noborder
-plot 'cells.csv' using (column('i') + 0.5):(column('j') + 0.5):(0.5 * column('visited')):(0.5 * column('visited')) with boxxyerror lc rgb '#dbe9f6', \
+plot 'cells.csv' using (column('i') + 0.5):(column('j') + 0.5):(0.5 * column('visited')):(0.5 * column('visited')) \
+     with boxxyerror lc rgb '#dbe9f6', \
      'grid.csv' @edges dt solid lc rgb '#909090' lw 1.5, \
      'bounds.csv' @edges lc rgb '#0072b2' lw 2 dt (6,4), \
      'outline.csv' @edges dt solid lc rgb '#d55e00' lw 3, \

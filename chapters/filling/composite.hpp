@@ -1,5 +1,5 @@
-/// The test image of fill_demo: a square of a composite with round fibres on a white background, with shades that differ from pixel to pixel
-/// as those of a photograph do.
+/// The test image of fill_demo: a square of a composite with round fibres on a white background, with shades that differ from pixel to
+/// pixel as those of a photograph do.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-/// fill_demo: particles at the points of grid cells, of a triangle mesh and of an image (review 4.1, figures 33 to 36), and how well their mass
-/// keeps area times density. Links CGAL's GPL packages (lab/mesh.hpp).
+/// fill_demo: particles at the points of grid cells, of a triangle mesh and of an image (review 4.1, figures 33 to 36), and how well their
+/// mass keeps area times density. Links CGAL's GPL packages (lab/mesh.hpp).
 ///   ./fill_demo --case mesh --size 0.1 --plot png
 #include <cmath>
 #include <cstdio>
@@ -46,11 +46,13 @@ constexpr const char* purpose = "particles of regions, meshes and images";
 void declare(Options& o, Settings& set) {
     o.choice("case", set.way, {"cells", "bounds", "mesh", "image"}, "points of cells, of the cells in reach, of triangles, of pixels");
     o.choice("region", set.region, {"disks", "ring", "plate"}, "what is filled (cells)");
-    o.text("polygon", set.polygon, "file of a polygon to fill instead: x, y of a corner in each line, holes after an empty line (cells, mesh)");
+    o.text("polygon", set.polygon,
+           "file of a polygon to fill instead: x, y of a corner in each line, holes after an empty line (cells, mesh)");
     o.contradict("polygon", "region");
     o.integers("cells", set.cells, "cells", between(1, 5000), "cells across the region's square (cells)");
     o.integer("ppc", set.ppc, "-", between(1, 100), "points per cell and direction (cells, bounds)");
-    o.choice("weight", set.weight, {"points", "share"}, "volume of a point: its part of the cell, or what the region shares with that (cells)");
+    o.choice("weight", set.weight, {"points", "share"},
+             "volume of a point: its part of the cell, or what the region shares with that (cells)");
     o.integer("samples", set.samples, "-", between(1, 1000), "to each side of a part, where the shared area is not exact (cells)");
     o.integer("corners", set.corners, "-", between(3, 1000000), "corners of the disk (mesh)");
     o.number("size", set.size, "length", above(0), "longest edge of a triangle (mesh)");
@@ -111,8 +113,9 @@ void report(const Filled& filled) {
     for (const std::string& note : filled.notes) std::printf("%s\n", note.c_str());
     std::printf("particles     cells  particles          mass  area x density  difference  relative  stated bound\n");
     for (const auto& row : filled.rows)
-        std::printf("%-12s %6s %10zu  %12.6g  %14.6g  %10.2e  %8.1e  %12.2e\n", row.what.c_str(), row.cells > 0 ? std::to_string(row.cells).c_str() : "-",
-                    row.particles, row.mass, row.exact, row.mass - row.exact, std::abs(row.mass / row.exact - 1), row.bound);
+        std::printf("%-12s %6s %10zu  %12.6g  %14.6g  %10.2e  %8.1e  %12.2e\n", row.what.c_str(),
+                    row.cells > 0 ? std::to_string(row.cells).c_str() : "-", row.particles, row.mass, row.exact, row.mass - row.exact,
+                    std::abs(row.mass / row.exact - 1), row.bound);
     std::printf("written:");
     for (const std::string& file : filled.files) std::printf(" %s", file.c_str());
     std::printf("\n");

@@ -40,7 +40,8 @@ struct Filled {
     std::vector<std::string> notes, files;  // for the screen; written
 };
 
-/// Each checks all its input, then makes the folder and writes particles, what they fill, and fill_<way>.gp. Throw BadInput and FileTrouble.
+/// Each checks all its input, then makes the folder and writes particles, what they fill, and fill_<way>.gp. Throw BadInput and
+/// FileTrouble.
 Filled fill_cells(const Settings& set, const std::string& folder);   // review figure 33
 Filled fill_bounds(const Settings& set, const std::string& folder);  // review figure 34
 Filled fill_mesh(const Settings& set, const std::string& folder);    // review figure 35

@@ -106,8 +106,9 @@ Filled fill_image(const Settings& set, const std::string& folder) {
         const double exact = set.rho * static_cast<double>(some.size()) * size * size;
         filled.rows.push_back(row_of(std::string("material ").append(std::to_string(material)), 0, some, exact, 0));
     }
-    filled.notes.push_back(std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels, " + std::to_string(tagged.background) +
-                           " of the background, " + std::to_string(tagged.unmatched) + " too far from every level");
+    filled.notes.push_back(std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels, " +
+                           std::to_string(tagged.background) + " of the background, " + std::to_string(tagged.unmatched) +
+                           " too far from every level");
     make_folder(folder);
     if (set.image.empty()) image = written_and_read(image, folder, filled.files);
     write_pixels(folder + "/pixels.csv", image, size, filled.files);
@@ -115,7 +116,8 @@ Filled fill_image(const Settings& set, const std::string& folder) {
     const double height = size * image.height;
     filled.files.push_back(write_drawing(folder, "fill_image", 1800, 680,
                                          "w = " + number_text(set.width) + "; h = " + number_text(height) + "; dx = " + number_text(size) +
-                                             "; zx = " + number_text(size * (2 * image.width / 5)) + "; zy = " + number_text(size * (2 * image.height / 5)) +
+                                             "; zx = " + number_text(size * (2 * image.width / 5)) +
+                                             "; zy = " + number_text(size * (2 * image.height / 5)) +
                                              "; materials = " + std::to_string(materials) + "\n" + drawing));
     return filled;
 }

@@ -15,11 +15,13 @@ namespace {
 Segments edges_of(const Triangles& mesh) {
     std::vector<std::pair<int, int>> edges;
     for (const auto& c : mesh.corners)
-        for (const auto& [a, b] : {std::pair(c[0], c[1]), std::pair(c[1], c[2]), std::pair(c[2], c[0])}) edges.push_back(std::minmax({a, b}));
+        for (const auto& [a, b] : {std::pair(c[0], c[1]), std::pair(c[1], c[2]), std::pair(c[2], c[0])})
+            edges.push_back(std::minmax({a, b}));
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     Segments segments;
-    for (const auto& [a, b] : edges) segments.push_back({mesh.points[static_cast<std::size_t>(a)], mesh.points[static_cast<std::size_t>(b)]});
+    for (const auto& [a, b] : edges)
+        segments.push_back({mesh.points[static_cast<std::size_t>(a)], mesh.points[static_cast<std::size_t>(b)]});
     return segments;
 }
 
@@ -39,7 +41,8 @@ Filled fill_mesh(const Settings& set, const std::string& folder) {
                   smallest_angle(mesh));
     filled.notes.push_back(text);
     if (disk) {
-        std::snprintf(text, sizeof text, "the disk's area is %.3e larger than that of its %d corners", Disk{{0, 0}, 0.5}.area() - domain.area(), set.corners);
+        std::snprintf(text, sizeof text, "the disk's area is %.3e larger than that of its %d corners",
+                      Disk{{0, 0}, 0.5}.area() - domain.area(), set.corners);
         filled.notes.push_back(text);
     }
     make_folder(folder);
@@ -47,9 +50,11 @@ Filled fill_mesh(const Settings& set, const std::string& folder) {
     write_particles(folder + "/particles_gauss.csv", gauss, filled.files);
     write_segments(folder + "/mesh.csv", edges_of(mesh), filled.files);
     const double across = (domain.bounds().high - domain.bounds().low).maxCoeff();
-    filled.files.push_back(write_drawing(folder, "fill_mesh", 1500, 800, std::string(panels) + "size = " +
-                                         number_text(std::clamp(12 * std::sqrt(domain.area() / static_cast<double>(mesh.corners.size())) / across, 0.1, 1.3)) +
-                                         R"(
+    filled.files.push_back(write_drawing(
+        folder, "fill_mesh", 1500, 800,
+        std::string(panels) + "size = " +
+            number_text(std::clamp(12 * std::sqrt(domain.area() / static_cast<double>(mesh.corners.size())) / across, 0.1, 1.3)) +
+            R"(
 unset grid
 do for [k in 'centroids gauss'] {
     set title (k eq 'gauss' ? 'three Gauss points in each triangle' : 'one particle at each centroid')

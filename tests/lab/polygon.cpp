@@ -77,7 +77,9 @@ TEST(Polygon, SharesNoPointOfAnEdgeWithItsNeighbour) {
             const Vec<2> x = middle + i / 100.0 * (corner - middle);
             const auto in = std::count_if(parts.begin(), parts.end(), [&](const Polygon& p) { return p.inside(x); });
             EXPECT_LE(in, 1);
-            if (i < 100) { EXPECT_EQ(in, 1) << x.transpose(); }
+            if (i < 100) {
+                EXPECT_EQ(in, 1) << x.transpose();
+            }
             held += static_cast<int>(in);
         }
     EXPECT_EQ(held, 401) << "and of the four corners of the square the lower left one";
@@ -125,23 +127,29 @@ TEST(Polygon, RefusesWhatIsNoNumber) {
     EXPECT_EQ(refusal(Outline{{0, 0}, {1, 0}, {inf, 1}}), "polygon: corner 3 of the outline is (inf, 1)");
 }
 TEST(Polygon, RefusesCornersThatAreThereTwice) {
-    EXPECT_EQ(refusal(Outline{{0, 0}, {1, 0}, {1, 0}, {0, 1}}), "polygon: corner 2 of the outline and corner 3 of the outline are the same, (1, 0)");
+    EXPECT_EQ(refusal(Outline{{0, 0}, {1, 0}, {1, 0}, {0, 1}}),
+              "polygon: corner 2 of the outline and corner 3 of the outline are the same, (1, 0)");
     EXPECT_EQ(refusal(Outline{{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 1}}),
               "polygon: corner 3 of the outline and corner 6 of the outline are the same, (1, 1)");
     EXPECT_NE(refusal(square, {{{0, 0}, {0.5, 0.2}, {0.2, 0.5}}}).find("corner 1 of hole 1 are the same"), std::string::npos);
 }
 TEST(Polygon, RefusesOutlinesThatCrossOrTouchThemselves) {
-    const auto crosses = [](const Outline& outline) { return refusal(outline).find("the outline crosses or touches itself: edge") != std::string::npos; };
+    const auto crosses = [](const Outline& outline) {
+        return refusal(outline).find("the outline crosses or touches itself: edge") != std::string::npos;
+    };
     EXPECT_TRUE(crosses({{0, 0}, {1, 1}, {1, 0}, {0, 1}})) << "a bow tie, of which the two areas cancel";
     EXPECT_TRUE(crosses({{0, 0}, {2, 0}, {2, 1}, {1, 0}, {0, 1}})) << "a corner on an edge";
     EXPECT_TRUE(crosses({{0, 0}, {2, 0}, {2, 1}, {3, 1}, {1.5, 1}, {0, 1}})) << "a spike";
     EXPECT_TRUE(crosses({{0, 0}, {3, 0}, {3, 1}, {2, 0}, {1, 0}, {0, 1}})) << "edges that lie on each other";
     EXPECT_TRUE(crosses({{0, 0}, {0, 2}, {0, 1}, {1, 1}})) << "a vertical spike";
     EXPECT_TRUE(crosses({{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, -1}, {2, -1}, {2, 4}, {0, 4}}));
-    EXPECT_NE(refusal(Outline{{0, 0}, {1, 1}, {1, 0}, {0, 1}}).find("edge 1 from (0, 0) to (1, 1), edge 3 from (0, 1) to (1, 0)"), std::string::npos);
+    EXPECT_NE(refusal(Outline{{0, 0}, {1, 1}, {1, 0}, {0, 1}}).find("edge 1 from (0, 0) to (1, 1), edge 3 from (0, 1) to (1, 0)"),
+              std::string::npos);
 }
 TEST(Polygon, RefusesHolesThatCrossOrLieOutside) {
-    const auto said = [](const std::vector<Outline>& holes, const std::string& part) { return refusal(square, holes).find(part) != std::string::npos; };
+    const auto said = [](const std::vector<Outline>& holes, const std::string& part) {
+        return refusal(square, holes).find(part) != std::string::npos;
+    };
     EXPECT_TRUE(said({box(0.8, 0.4, 0.3)}, "the outline crosses or touches hole 1"));
     EXPECT_TRUE(said({box(0.2, 0.2, 0.3), box(0.4, 0.4, 0.3)}, "hole 1 crosses or touches hole 2"));
     EXPECT_TRUE(said({box(0.2, 0.2, 0.3), box(0.5, 0.2, 0.3)}, "the same")) << "holes side by side";
@@ -166,7 +174,8 @@ TEST(Polygon, FindsTheCrossingsThatAllPairsOfEdgesShow) {
     std::uniform_real_distribution<double> anywhere(0, 1);
     int crossing = 0, simple = 0;
     for (int trial = 0; trial < 3000; ++trial) {
-        Outline corners = trial % 2 == 0 ? star(3 + trial % 9, static_cast<unsigned>(trial)) : Outline(static_cast<std::size_t>(4 + trial % 4));
+        Outline corners =
+            trial % 2 == 0 ? star(3 + trial % 9, static_cast<unsigned>(trial)) : Outline(static_cast<std::size_t>(4 + trial % 4));
         if (trial % 2 == 1)
             for (Vec<2>& x : corners) x = Vec<2>(anywhere(random), anywhere(random));
         const bool crosses = any_two_cross(corners);
@@ -189,7 +198,9 @@ TEST(Polygon, FindsTheCrossingsOfOutlinesOnAGrid) {  // where edges touch, lie o
         bool bad = false;  // two edges that are not neighbours have a point in common, or two neighbours fold back
         const std::size_t n = corners.size();
         const auto at = [&](std::size_t i) -> const Vec<2>& { return corners[i % n]; };
-        const auto on = [&](const Vec<2>& a, const Vec<2>& b, const Vec<2>& x) { return orientation(a, b, x) == 0 && (x - a).dot(x - b) <= 0; };
+        const auto on = [&](const Vec<2>& a, const Vec<2>& b, const Vec<2>& x) {
+            return orientation(a, b, x) == 0 && (x - a).dot(x - b) <= 0;
+        };
         for (std::size_t i = 0; i < n; ++i) {
             bad = bad || (orientation(at(i), at(i + 1), at(i + 2)) == 0 && (at(i) - at(i + 1)).dot(at(i + 2) - at(i + 1)) > 0);
             for (std::size_t j = i + 2; j < n && (i > 0 || j < n - 1); ++j)
@@ -220,9 +231,11 @@ TEST(Polygon, TakesAHundredThousandCorners) {
         long inside = 0;
         constexpr int n = 316;  // 1e5 points; every test that took all edges would need 1e10 of them
         for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j) inside += polygon.inside(b.low + (b.high - b.low).cwiseProduct(Vec<2>(i + 0.5, j + 0.5)) / n) ? 1 : 0;
+            for (int j = 0; j < n; ++j)
+                inside += polygon.inside(b.low + (b.high - b.low).cwiseProduct(Vec<2>(i + 0.5, j + 0.5)) / n) ? 1 : 0;
         const double sampled = static_cast<double>(inside) / n / n;
-        EXPECT_NEAR(sampled, polygon.area() / (b.high - b.low).prod(), 0.01);  // 1e5 samples of a rough outline: 3 standard deviations of chance
+        EXPECT_NEAR(sampled, polygon.area() / (b.high - b.low).prod(),
+                    0.01);  // 1e5 samples of a rough outline: 3 standard deviations of chance
         Outline crossed = corners;
         std::swap(crossed[corners.size() / 3], crossed[corners.size() / 3 + 4]);
         EXPECT_NE(refusal(crossed), "none");
