@@ -23,8 +23,8 @@ struct Panel {
 std::string write_figure(const std::string& folder, const std::string& name, const std::string& csv, const std::string& title,
                          const std::vector<Panel>& panels, int columns = 1);
 
-/// A figure of its own kind: writes folder/name.gp with the gnuplot commands `body` behind what all figures share (terminal by `kind`, size in
-/// pixels, commas, grid, line types), to be drawn as those of write_figure are. Throws FileTrouble.
+/// A figure of its own kind: writes folder/name.gp with the gnuplot commands `body` behind what all figures share (terminal by `kind`, size
+/// in pixels, commas, grid, line types), to be drawn as those of write_figure are. Throws FileTrouble.
 std::string write_drawing(const std::string& folder, const std::string& name, int width, int height, const std::string& body);
 
 /// What an animation shows of each snapshot's particles, by column name: y against x or, with a third column, points in its colours.
