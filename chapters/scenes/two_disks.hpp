@@ -70,21 +70,13 @@ template <bool TotalLagrangian> struct TwoDisks : DiskSettings {
 
     /// The lower left disk: particles of the cells' regular places that lie inside.
     template <class Point> std::vector<Point> lower_disk(int cells, int ppc) const {
-        const CellRule rule = middles(ppc);
-        const double h = 1.0 / cells, shift = offset * h;
-        std::vector<Point> disk;
-        for (int j = 0; j < cells; ++j)
-            for (int i = 0; i < cells; ++i)
-                for (const double b : rule.at)
-                    for (const double a : rule.at) {
-                        const Vec<2> X((i + a) * h, (j + b) * h);
-                        if ((X - Vec<2>(0.2, 0.2)).norm() > radius) continue;
-                        Point& p = disk.emplace_back();
-                        p.X = p.x = X + Vec<2>(shift, shift);
-                        p.V0 = p.V = h * h / (ppc * ppc);
-                        p.m = rho * p.V0;
-                        p.v = Vec<2>(v0, v0);
-                    }
+        const double h = 1.0 / cells;
+        const Lattice<2> square(Vec<2>::Zero(), Vec<2>::Constant(h), {cells, cells});
+        std::vector<Point> disk = particles_inside<Point>(Disk{Vec<2>(0.2, 0.2), radius}, square, middles(ppc), rho);
+        for (Point& p : disk) {
+            p.X = p.x += Vec<2>::Constant(offset * h);
+            p.v = Vec<2>(v0, v0);
+        }
         if (disk.empty()) throw BadInput("--cells, --ppc, --radius: no particle lies inside the disks");
         return disk;
     }
