@@ -40,6 +40,7 @@ int run(int argc, char** argv) {
     s.disks.declare(options);
     s.transfer.declare(options);
     s.common.declare(options, AllShapes::names(), 3.5);
+    s.common.declare_threads(options);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
     check(s);

@@ -1,6 +1,7 @@
 /// Joins one scheme, one scene, one shape and one transfer into what the run loop and the report call.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -40,6 +41,7 @@ template <class Scene, class Matter> struct Problem {
     Scene scene;
     std::vector<Matter*> bodies;
     std::vector<std::vector<typename Matter::Point>> good;  // the last state that was well
+    std::vector<std::vector<std::uint32_t>> good_numbers;   // and the numbers of its points
     std::vector<Coverage<D>> coverage;                      // of bodies that can come apart
     bool watches_overlap = false;
     NodeWatch nodes;
@@ -49,11 +51,12 @@ template <class Scene, class Matter> struct Problem {
 
     AllPoints<Matter> points() const { return AllPoints<Matter>(bodies); }
     void keep() {
-        good.clear();
-        for (const Matter* body : bodies) good.push_back(body->points);
+        good.resize(bodies.size());
+        good_numbers.resize(bodies.size());
+        for (std::size_t b = 0; b < good.size(); ++b) good[b] = bodies[b]->points, good_numbers[b] = bodies[b]->numbers;
     }
     void restore() {
-        for (std::size_t b = 0; b < good.size(); ++b) bodies[b]->points = good[b];
+        for (std::size_t b = 0; b < good.size(); ++b) bodies[b]->points = good[b], bodies[b]->numbers = good_numbers[b];
     }
     Measures measure() const {
         Measures sum;
@@ -96,7 +99,7 @@ template <class Scene, class Matter> [[gnu::cold]] Simulation watched(const std:
     sim.measure = [s] { return s->measure(); };
     sim.check = [s] { return s->check(); };
     sim.inspect = [s] { return s->inspect(); };
-    sim.where = [s] { return fastest_particle(s->points()); };
+    sim.where = [s] { return fastest_particle(s->bodies); };
     sim.supply = [s](double t, double dt) { return s->supply(t, dt); };
     sim.critical_dt = [s] { return s->critical_dt(); };
     sim.sample = [s](double t, double energy) { s->observer.sample(s->points(), t, energy); };
@@ -152,6 +155,7 @@ template <class Scene, class Matter> [[gnu::cold]] Assembled watched_and_reporte
     a.row.cells = cells;
     a.row.h = h[0];
     a.row.ppc = common.ppc;
+    a.row.threads = common.threads;
     for (const Matter* body : s->bodies) a.row.particles += static_cast<long>(body->points.size());
     a.row.bytes_per_particle = sizeof(typename Matter::Point);
     a.row.bytes_per_node = sizeof(typename Matter::Node);
@@ -202,10 +206,15 @@ template <class Shape, class Scheme, class Scene, class Transfer, class MakeShap
     }
     if constexpr (requires { scheme.start(moved->bodies, scene); }) moved->scheme.start(moved->bodies, scene);
     for (OneBody& body : moved->bodies) problem->bodies.push_back(&body);
+    for (OneBody& body : moved->bodies) body.grid.use_threads(common.threads);
     Combination combination{facts, Scheme::name, transfer.name, Shape::total_lagrangian, 0};
     if constexpr (requires { scheme.cutoff; }) combination.cutoff = scheme.cutoff;
     Assembled a = watched_and_reported(problem, combination, cells, common);
-    a.simulation.step = [moved, problem](double t, double dt) { moved->scheme.step(moved->bodies, Free{}, problem->scene, t, dt); };
+    a.simulation.step = [moved, problem](double t, double dt) {
+        if constexpr (may_reorder<OneBody, Scene>)
+            for (OneBody& body : moved->bodies) body.order.keep(body);
+        moved->scheme.step(moved->bodies, Free{}, problem->scene, t, dt);
+    };
     return a;
 }
 

@@ -1,10 +1,14 @@
-/// A body {points, grid, law, shape, transfer} and the two sweeps over its particles that every scheme is written with.
+/// A body {points, grid, law, shape, transfer} and the sweeps over its particles that every scheme is written with.
 #pragma once
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "lab/grid.hpp"
+#include "lab/order.hpp"
 #include "lab/stencil.hpp"
+#include "lab/strips.hpp"
 
 namespace mpm {
 
@@ -53,10 +57,18 @@ template <int Dim, class PointType, class NodeType, class LawType> struct Matter
     std::vector<Point> points;
     Grid<D, Node> grid;
     Law law;
+    std::vector<std::uint32_t> numbers = {};  // of the points, their places at the start; empty while they are still there
+
+    std::size_t number(std::size_t place) const { return numbers.size() == points.size() ? numbers[place] : place; }
+    void number_points() {
+        if (numbers.size() == points.size()) return;
+        numbers.resize(points.size());
+        std::iota(numbers.begin(), numbers.end(), std::uint32_t{0});
+    }
 };
 
-/// One body. `Shape` is called with (particle, its number) and gives a stencil; `Transfer` says how particles and nodes exchange velocities, and
-/// extends both by what it needs.
+/// One body. `Shape` is called with (particle, its place) and gives a stencil; `Transfer` says how particles and nodes exchange
+/// velocities, and extends both by what it needs.
 template <int Dim, class PointType, class NodeType, class LawType, class ShapeType, class TransferType>
 struct Body : Matter<Dim, PointType, NodeType, LawType> {
     using Shape = ShapeType;
@@ -64,6 +76,8 @@ struct Body : Matter<Dim, PointType, NodeType, LawType> {
 
     Shape shape;
     Transfer transfer;
+    Strips strips = {};               // of several threads
+    CellOrder<PointType> order = {};  // of the points, where they may change places
     std::vector<NodeType> corner_nodes = {};  // of shapes that go by corners (review appendix C)
 };
 
@@ -112,31 +126,75 @@ template <class Body> void follow(Body& body, double dt) {
     if constexpr (requires { body.shape.follow(body, dt); }) body.shape.follow(body, dt);
 }
 
-/// Visits every particle with its weights; the visitor may write to the nodes: `scatter(body, [](auto& p, const auto& weights)
-/// {...})`. A particle outside the grid throws OutsideGrid.
-template <class Body, class Visit> void scatter(Body& body, Visit&& visit) {
-    auto* nodes = &*body.grid.begin();
-    if constexpr (goes_by_corners<typename Body::Shape>) {
-        body.shape.corners().from_grid(body.grid, body.corner_nodes);
-        nodes = body.corner_nodes.data();
-    }
+namespace detail {
+/// Shapes that say how many node rows they touch (`rows`, counted from that of the first entry) can be swept by several threads. Others
+/// may keep anything, and one thread sweeps them.
+template <class Body> constexpr bool shares_sweeps = Body::D == 2 && requires { Body::Shape::rows; };
+
+/// The plain loop, with the visit in it: calls would cost as much as what they do.
+template <class Body, class Node, class Visit> [[gnu::flatten]] void in_one_thread(Body& body, Node* nodes, Visit& visit) {
     for (std::size_t i = 0; i < body.points.size(); ++i) {
         const auto& stencil = body.shape(body.points[i], i);
         visit(body.points[i], Weights{stencil, nodes});
     }
-    if constexpr (goes_by_corners<typename Body::Shape>) body.shape.corners().to_grid(body.corner_nodes, body.grid);
 }
 
-/// Visits every particle with its weights; the visitor only reads the nodes.
-template <class Body, class Visit> void gather(Body& body, Visit&& visit) {
+/// By several threads; kept apart from the plain loop, which must not pay for it.
+template <class Body, class Visit> [[gnu::noinline]] void scatter_in_threads(Body& body, Visit& visit) {
+    auto* nodes = &*body.grid.begin();
+    const int threads = body.grid.threads();
+    const auto& lattice = body.grid.lattice();
+    body.strips.prepare(body.points.size(), lattice.nodes(1), lattice.nodes(0), Body::Shape::rows, threads,
+                        [&](std::size_t i) { return body.shape(body.points[i], i)[0].node; });
+    body.strips.sweep(threads, [&](Strips::Reach reach, std::size_t i) {
+        const auto& stencil = body.shape(body.points[i], i);
+        if (!reach.holds(stencil[0].node)) [[unlikely]]
+            return false;
+        visit(body.points[i], Weights{stencil, nodes});
+        return true;
+    });
+}
+template <class Body, class Visit> [[gnu::noinline]] void gather_in_threads(Body& body, Visit& visit) {
     const auto* nodes = &*body.grid.begin();
-    if constexpr (goes_by_corners<typename Body::Shape>) {
-        body.shape.corners().from_grid(body.grid, body.corner_nodes);
-        nodes = body.corner_nodes.data();
-    }
-    for (std::size_t i = 0; i < body.points.size(); ++i) {
+    in_ranges(body.grid.threads(), body.points.size(), [&](std::size_t i) {
         const auto& stencil = body.shape(body.points[i], i);
         visit(body.points[i], Weights{stencil, nodes});
+    });
+}
+}  // namespace detail
+
+/// Visits every particle with its weights, in one thread and one after the other: for visitors that write elsewhere than to the
+/// particle and its nodes. A particle outside the grid throws OutsideGrid.
+template <class Body, class Visit> void in_order(Body& body, Visit&& visit) {
+    if constexpr (goes_by_corners<typename Body::Shape>) {
+        body.shape.corners().from_grid(body.grid, body.corner_nodes);
+        detail::in_one_thread(body, body.corner_nodes.data(), visit);
+        body.shape.corners().to_grid(body.corner_nodes, body.grid);
+    } else {
+        detail::in_one_thread(body, &*body.grid.begin(), visit);
+    }
+}
+
+/// Visits every particle with its weights; the visitor may write to the particle and its nodes: `scatter(body, [](auto& p, const
+/// auto& weights) {...})`. In as many threads as the grid was given, with the same sums each time. A particle outside the grid
+/// throws OutsideGrid.
+template <class Body, class Visit> void scatter(Body& body, Visit&& visit) {
+    if constexpr (detail::shares_sweeps<Body>)
+        if (body.grid.threads() > 1) return detail::scatter_in_threads(body, visit);
+    in_order(body, visit);
+}
+
+/// The same for a visitor that only reads the nodes.
+template <class Body, class Visit> void gather(Body& body, Visit&& visit) {
+    if constexpr (detail::shares_sweeps<Body>)
+        if (body.grid.threads() > 1) return detail::gather_in_threads(body, visit);
+    if constexpr (goes_by_corners<typename Body::Shape>) {
+        body.shape.corners().from_grid(body.grid, body.corner_nodes);
+        const auto* corners = body.corner_nodes.data();
+        detail::in_one_thread(body, corners, visit);
+    } else {
+        const auto* nodes = &*body.grid.begin();
+        detail::in_one_thread(body, nodes, visit);
     }
 }
 

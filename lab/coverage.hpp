@@ -2,6 +2,8 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <mutex>
 #include <sstream>
 #include <vector>
 
@@ -95,16 +97,34 @@ public:
     template <class Matter> void look(const Matter& body, double cutoff) {
         if (body.points.empty()) return;
         const double mass = body.points.front().m;
-        for (const auto& node : body.grid) {
-            if (!(node.m > 0)) continue;
-            smallest = std::min(smallest, node.m / mass);
-            if (node.m < tiny * mass) ++tiny_nodes;
-            if (node.m <= cutoff) ++cut_nodes;
-        }
+        const auto nodes = body.grid.begin();
+        const auto count = [&](std::size_t first, std::size_t last, NodeWatch& into) {
+            for (std::size_t I = first; I < last; ++I) into.count(nodes[static_cast<std::ptrdiff_t>(I)].m, mass, cutoff);
+        };
+        const auto size = static_cast<std::size_t>(body.grid.size()), parts = static_cast<std::size_t>(body.grid.threads());
+        if (parts == 1) return count(0, size, *this);
+        std::mutex adding;
+        in_threads(body.grid.threads(), [&](int k) {
+            const auto part = static_cast<std::size_t>(k);
+            NodeWatch own;
+            count(size * part / parts, size * (part + 1) / parts, own);
+            const std::lock_guard lock(adding);
+            smallest = std::min(smallest, own.smallest);
+            tiny_nodes += own.tiny_nodes;
+            cut_nodes += own.cut_nodes;
+        });
     }
     static constexpr double tiny = 1e-6;
     double smallest = 1;                 // nodal mass / particle mass
     long tiny_nodes = 0, cut_nodes = 0;  // node steps
+
+private:
+    void count(double m, double mass, double cutoff) {
+        if (!(m > 0)) return;
+        smallest = std::min(smallest, m / mass);
+        if (m < tiny * mass) ++tiny_nodes;
+        if (m <= cutoff) ++cut_nodes;
+    }
 };
 
 }  // namespace mpm

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lab/math.hpp"
+#include "lab/threads.hpp"
 
 namespace mpm {
 
@@ -67,6 +68,9 @@ private:
     int per_cell_;
 };
 
+template <int D, class NodeType> class Grid;
+template <int D, class Node, class Visit> void each(Grid<D, Node>& grid, Visit&& visit);
+
 /// The nodes of one scheme on a lattice. `NodeType` has `void reset()`; one that has a member `x` is told its position.
 template <int D, class NodeType> class Grid {
 public:
@@ -79,8 +83,12 @@ public:
 
     const Lattice<D>& lattice() const { return lattice_; }
     void reset() {
-        for (Node& node : nodes_) node.reset();
+        each(*this, [](Node& node) { node.reset(); });
     }
+
+    /// Threads for the sweeps over this grid's nodes and its body's particles, in two dimensions. One, unless told otherwise.
+    void use_threads(int threads) { threads_ = D == 2 ? threads : 1; }
+    int threads() const { return threads_; }
 
     Node& operator[](int I) { return nodes_[static_cast<std::size_t>(I)]; }
     const Node& operator[](int I) const { return nodes_[static_cast<std::size_t>(I)]; }
@@ -93,6 +101,17 @@ public:
 private:
     Lattice<D> lattice_;
     std::vector<Node> nodes_;
+    int threads_ = 1;
 };
+
+/// Visits every node, each on its own: `each(body.grid, [&](auto& node) {...})`. In as many threads as the grid was given.
+template <int D, class Node, class Visit> void each(Grid<D, Node>& grid, Visit&& visit) {
+    if constexpr (D == 2)
+        if (grid.threads() > 1) {
+            Node* const nodes = &grid[0];
+            return in_ranges(grid.threads(), static_cast<std::size_t>(grid.size()), [&](std::size_t I) { visit(nodes[I]); });
+        }
+    for (Node& node : grid) visit(node);
+}
 
 }  // namespace mpm

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 #include "lab/body.hpp"
 
@@ -17,19 +19,34 @@ struct Measures {
     double momentum_in_play = 0;                     // sum of m |v|
     double total() const { return kinetic + strain; }
     double balance() const { return kinetic + strain + dissipated; }
+    void add(const Measures& part) {
+        kinetic += part.kinetic, strain += part.strain, dissipated += part.dissipated;
+        momentum_in_play += part.momentum_in_play;
+        for (std::size_t d = 0; d < momentum.size(); ++d) momentum[d] += part.momentum[d];
+    }
 };
 
 template <int D, class Point, class Node, class Law> void add_measures(const Matter<D, Point, Node, Law>& body, Measures& sum) {
     constexpr bool nodes_move = requires(const Node& node) { node.kinetic(); };  // finite elements: nodes hold the kinetic energy
     if constexpr (nodes_move)
         for (const Node& node : body.grid) sum.kinetic += node.kinetic();
-    for (const Point& p : body.points) {
+    const auto add = [&](const Point& p, Measures& to) {
         const double v2 = p.v.squaredNorm();
-        if constexpr (!nodes_move) sum.kinetic += 0.5 * p.m * v2;
-        sum.strain += body.law.energy(p);
-        if constexpr (requires { body.law.dissipated(p); }) sum.dissipated += body.law.dissipated(p);
-        sum.momentum_in_play += p.m * std::sqrt(v2);
-        for (int d = 0; d < D; ++d) sum.momentum[static_cast<std::size_t>(d)] += p.m * p.v[d];
+        if constexpr (!nodes_move) to.kinetic += 0.5 * p.m * v2;
+        to.strain += body.law.energy(p);
+        if constexpr (requires { body.law.dissipated(p); }) to.dissipated += body.law.dissipated(p);
+        to.momentum_in_play += p.m * std::sqrt(v2);
+        for (int d = 0; d < D; ++d) to.momentum[static_cast<std::size_t>(d)] += p.m * p.v[d];
+    };
+    if constexpr (D == 1) {
+        for (const Point& p : body.points) add(p, sum);
+    } else {  // by pieces that no number of threads changes, and their sums one after the other
+        const std::size_t piece = 4096, count = body.points.size();
+        std::vector<Measures> sums((count + piece - 1) / piece);
+        in_ranges(body.grid.threads(), sums.size(), [&](std::size_t k) {
+            for (std::size_t i = k * piece; i < std::min(count, (k + 1) * piece); ++i) add(body.points[i], sums[k]);
+        });
+        for (const Measures& part : sums) sum.add(part);
     }
 }
 template <class Bodies> Measures measure(const Bodies& bodies) {
@@ -52,38 +69,44 @@ struct Trouble {
 };
 
 namespace detail {
-template <class Point> std::string place(std::size_t i, const Point& p) {
+template <class Point> std::string place(std::size_t number, const Point& p) {
     std::ostringstream s;
-    s << "particle " << i << " at x = " << p.x.transpose();
+    s << "particle " << number << " at x = " << p.x.transpose();
     return s.str();
 }
 }  // namespace detail
 
 /// The first particle that is turned inside out or not a number. Positions are checked where weights are made.
 template <int D, class Point, class Node, class Law> Trouble check_particles(const Matter<D, Point, Node, Law>& body) {
-    for (std::size_t i = 0; i < body.points.size(); ++i) {
-        const Point& p = body.points[i];
-        if (p.V > 0 && p.V < 1e300) [[likely]]
-            continue;
-        std::ostringstream s;
-        s << detail::place(i, p) << " has V/V0 = det F = " << p.V / p.V0;
-        return {std::isfinite(p.V) ? "inverted-particle" : "not-finite", s.str()};
-    }
-    return {};
+    const auto bad = [&](std::size_t i) { return !(body.points[i].V > 0 && body.points[i].V < 1e300); };
+    std::size_t first = first_where(body.grid.threads(), body.points.size(), bad);
+    if (first == body.points.size()) return {};
+    for (std::size_t i = first + 1; i < body.points.size(); ++i)
+        if (bad(i) && body.number(i) < body.number(first)) first = i;
+    const Point& p = body.points[first];
+    std::ostringstream s;
+    s << detail::place(body.number(first), p) << " has V/V0 = det F = " << p.V / p.V0;
+    return {std::isfinite(p.V) ? "inverted-particle" : "not-finite", s.str()};
 }
 
-/// Where bodies are liveliest: the fastest of their particles, its speed, and its det F.
-template <class Points> std::string fastest_particle(const Points& points) {
-    if (points.size() == 0) return "no particles";
-    std::size_t fastest = 0, i = 0;
-    double speed2 = -1;
-    for (const auto& p : points) {
-        if (p.v.squaredNorm() > speed2) speed2 = p.v.squaredNorm(), fastest = i;
-        ++i;
+/// Where bodies are liveliest: the fastest of their particles, its speed, and its det F. Bodies are pointers to Matter, their particles
+/// numbered one body after the other.
+template <class Bodies> std::string fastest_particle(const Bodies& bodies) {
+    using Point = typename std::remove_cvref_t<decltype(*bodies.front())>::Point;
+    const Point* fastest = nullptr;
+    std::size_t number = 0, before = 0;
+    for (const auto* body : bodies) {
+        for (std::size_t i = 0; i < body->points.size(); ++i) {
+            const double v2 = body->points[i].v.squaredNorm(), most = fastest ? fastest->v.squaredNorm() : 0;
+            const std::size_t here = before + body->number(i);
+            if (!fastest || v2 > most || (v2 == most && here < number)) fastest = &body->points[i], number = here;
+        }
+        before += body->points.size();
     }
-    const auto& p = points[fastest];
+    if (!fastest) return "no particles";
+    const Point& p = *fastest;
     std::ostringstream s;
-    s << detail::place(fastest, p) << " is the fastest, |v| = " << p.v.norm() << ", det F = " << p.V / p.V0;
+    s << detail::place(number, p) << " is the fastest, |v| = " << p.v.norm() << ", det F = " << p.V / p.V0;
     return s.str();
 }
 

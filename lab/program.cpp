@@ -114,6 +114,10 @@ void Common::declare(Options& o, const std::vector<std::string>& shapes, double 
     for (const char* name : {"out", "label", "plot", "quiet", "dry-run", "records", "frames", "repeat"}) o.unlabelled(name);
 }
 
+void Common::declare_threads(Options& o) {
+    o.integer("threads", threads, "-", between(1, 256), "threads that share a step; the results are the same to rounding");
+}
+
 std::string run_folder(const std::string& program, const Options& options, const std::string& out, const std::string& label) {
     const std::string name = label.empty() ? options.label() : label;
     if (name.find('/') != std::string::npos || name == "." || name == "..")

@@ -23,10 +23,12 @@ struct Common {
     double cfl = 0.1, dt = 0, t_end = 0, periods = 0;
     std::string dt_from = "start";
     std::string out, label, config, plot = "none", watch = "stop";
-    int records = 4000, frames = 0, repeat = 1;
+    int records = 4000, frames = 0, repeat = 1, threads = 1;
     bool quiet = false, dry_run = false;
 
     void declare(Options& o, const std::vector<std::string>& shapes, double default_t_end);
+    /// `--threads`, for programs in two dimensions.
+    void declare_threads(Options& o);
     /// The same with t_end made of --periods, if given.
     Common with_period(double period) const;
 };

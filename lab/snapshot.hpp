@@ -1,5 +1,6 @@
 /// Snapshots of particles and nodes as CSV.
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -8,13 +9,16 @@
 
 namespace mpm {
 
-/// Position, velocity, stress and volume of every particle of the bodies: pointers to Matter.
+/// Position, velocity, stress and volume of every particle of the bodies (pointers to Matter), in the order of numbers.
 template <int D, class Bodies> void write_particles(const std::string& path, const Bodies& bodies) {
     CsvFile file(path, D == 1 ? std::vector<std::string>{"body", "x", "v", "F", "sigma", "V"}
                               : std::vector<std::string>{"body", "x", "y", "vx", "vy", "sxx", "syy", "sxy", "J", "V"});
     double number = 0;
     for (const auto& body : bodies) {
-        for (const auto& p : body->points) {
+        std::vector<std::size_t> place(body->points.size());  // of each number
+        for (std::size_t i = 0; i < place.size(); ++i) place[body->number(i)] = i;
+        for (const std::size_t i : place) {
+            const auto& p = body->points[i];
             if constexpr (D == 1) {
                 const double row[]{number, p.x[0], p.v[0], p.F(0, 0), p.sigma(0, 0), p.V};
                 file.row(row, std::size(row));

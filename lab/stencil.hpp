@@ -32,7 +32,7 @@ struct OutsideGrid : std::runtime_error {
 };
 
 namespace detail {
-[[noreturn]] inline void outside_grid(double x, double low, double high, int axis) {
+[[noreturn, gnu::cold, gnu::noinline]] inline void outside_grid(double x, double low, double high, int axis) {
     throw OutsideGrid("position " + std::to_string(x) + " outside the grid [" + std::to_string(low) + ", " +
                       std::to_string(high) + "] along axis " + std::to_string(axis));
 }

@@ -17,14 +17,14 @@ struct Flip {
 
     /// Nodal velocities at t and t + dt from the momenta, lumped mass (2.40).
     template <class Body, class Fix> void nodal_velocities(Body& body, Fix&&) const {
-        for (auto& node : body.grid) {
+        each(body.grid, [&](auto& node) {
             node.v = mpm::velocity(node.mv, node.m);
             node.v_new = mpm::velocity(node.mv_new, node.m);
-        }
+        });
     }
     /// Nodal velocities at t + dt alone, after a second mapping.
     template <class Body, class Fix> void mapped_velocities(Body& body, Fix&&) const {
-        for (auto& node : body.grid) node.v_new = mpm::velocity(node.mv_new, node.m);
+        each(body.grid, [&](auto& node) { node.v_new = mpm::velocity(node.mv_new, node.m); });
     }
 
     /// Particle velocity at t + dt (2.53).

@@ -31,7 +31,7 @@ struct Musl {
                 }
             });
             scene.load(body, t);                                                          // 10, 12
-            for (auto& node : body.grid) node.mv_new = node.mv + dt * node.f;             // 14
+            each(body.grid, [&](auto& node) { node.mv_new = node.mv + dt * node.f; });    // 14
             scene.fix(body.grid, &Node::mv, t);                                           // 15
             scene.fix(body.grid, &Node::mv_new, t + dt);
         }
@@ -39,10 +39,10 @@ struct Musl {
         for (auto& body : bodies) {
             const auto fix = [&](auto field) { scene.fix(body.grid, field, t + dt); };
             body.transfer.nodal_velocities(body, fix);                                    // 17
-            for (auto& node : body.grid) {
+            each(body.grid, [&](auto& node) {
                 node.v_tilde = node.v_new;
                 node.mv_new = Vec<D>::Zero();
-            }
+            });
             scatter(body, [&](auto& p, const auto& weights) {                             // 16
                 body.transfer.update_velocity(p, weights);                                // 19
                 for (const auto& [node, phi, grad] : weights)

@@ -26,7 +26,7 @@ struct Usf {
             });
             const auto fix = [&](auto field) { scene.fix(body.grid, field, t); };
             fix(&Node::mv);
-            for (auto& node : body.grid) node.mv_new = node.mv;
+            each(body.grid, [&](auto& node) { node.mv_new = node.mv; });
             body.transfer.mapped_velocities(body, fix);                                   // 5
             scatter(body, [&](auto& p, const auto& weights) {
                 Mat<D> L = Mat<D>::Zero();
@@ -38,7 +38,7 @@ struct Usf {
                 for (const auto& [node, phi, grad] : weights) node.f -= V_sigma * grad;   // 10
             });
             scene.load(body, t);                                                          // 11
-            for (auto& node : body.grid) node.mv_new = node.mv + dt * node.f;             // 13
+            each(body.grid, [&](auto& node) { node.mv_new = node.mv + dt * node.f; });    // 13
             scene.fix(body.grid, &Node::mv_new, t + dt);
         }
         coupling(bodies, dt);                                                             // 14-26

@@ -28,10 +28,10 @@ struct Usl {
                 }
             });
             scene.load(body, t);                                                          // 10, 12
-            for (auto& node : body.grid) {
+            each(body.grid, [&](auto& node) {
                 node.mv_new = node.mv + dt * node.f;                                      // 14
                 if (node.m <= cutoff) node.mv = node.mv_new = Vec<D>::Zero();             // (2.63)
-            }
+            });
             scene.fix(body.grid, &Node::mv, t);                                           // 15
             scene.fix(body.grid, &Node::mv_new, t + dt);
         }

@@ -29,7 +29,7 @@ template <bool TotalLagrangian> struct Apic {
 
     template <class Body, class Fix> void nodal_velocities(Body& body, Fix&& fix) const { mapped_velocities(body, fix); }
     template <class Body, class Fix> void mapped_velocities(Body& body, Fix&&) const {
-        for (auto& node : body.grid) node.v_new = mpm::velocity(node.mv_new, node.m);
+        each(body.grid, [&](auto& node) { node.v_new = mpm::velocity(node.mv_new, node.m); });
     }
 
     /// v = sum phi v_I, C = [sum phi v_I (x_I - x_p)^T] [sum phi (x_I - x_p)(x_I - x_p)^T]^-1. The second matrix is diagonal, since the

@@ -55,7 +55,7 @@ private:
             for (const auto& node : body.grid) held_[d].push_back(!(node.m > 0) || !std::isnan(node.probe[static_cast<int>(d)]));
         entries_.clear();
         const auto* first = &body.grid[0];
-        scatter(body, [&](const auto& p, const auto& weights) {
+        in_order(body, [&](const auto& p, const auto& weights) {
             for (const auto& [a, phi_a, grad_a] : weights)
                 for (const auto& [b, phi_b, grad_b] : weights)
                     entries_.push_back({static_cast<int>(&a - first), static_cast<int>(&b - first), p.m * phi_a * phi_b});

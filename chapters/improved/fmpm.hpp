@@ -30,7 +30,7 @@ struct Fmpm {
             sum(body, &Node::mv_new, &Node::v_new, fix);
         } else {
             sum(body, &Node::mv, &Node::v, fix);
-            for (auto& node : body.grid) node.v_new = node.v + mpm::velocity<Body::D>(node.mv_new - node.mv, node.m);
+            each(body.grid, [&](auto& node) { node.v_new = node.v + mpm::velocity<Body::D>(node.mv_new - node.mv, node.m); });
         }
     }
     template <class Body, class Fix> void mapped_velocities(Body& body, Fix&& fix) const {
@@ -50,21 +50,22 @@ private:
     template <class Body, class Momentum, class Velocity, class Fix> void sum(Body& body, Momentum mv, Velocity v, Fix&& fix) const {
         using Node = typename Body::Node;
         constexpr int D = Body::D;
-        for (auto& node : body.grid) node.term = node.*v = mpm::velocity(node.*mv, node.m);
+        each(body.grid, [&](auto& node) { node.term = node.*v = mpm::velocity(node.*mv, node.m); });
         for (int l = 1; l < order; ++l) {
-            for (auto& node : body.grid) node.mapped = Vec<D>::Zero();
+            each(body.grid, [&](auto& node) { node.mapped = Vec<D>::Zero(); });
             scatter(body, [](const auto& p, const auto& weights) {
                 Vec<D> at_p = Vec<D>::Zero();
                 for (const auto& [node, phi, grad] : weights) at_p += phi * node.term;
                 for (const auto& [node, phi, grad] : weights) node.mapped += phi * p.m * at_p;
             });
-            for (auto& node : body.grid)
+            each(body.grid, [&](auto& node) {
                 node.mapped = node.m * (node.*v + node.term) - node.mapped;  // the sum with its next term, as a momentum
+            });
             fix(&Node::mapped);
-            for (auto& node : body.grid) {
+            each(body.grid, [&](auto& node) {
                 node.term = mpm::velocity<D>(node.mapped - node.m * node.*v, node.m);
                 node.*v += node.term;
-            }
+            });
         }
     }
 };

@@ -13,11 +13,14 @@ struct DomainTooLong : OutsideGrid {
 };
 
 namespace detail {
+[[noreturn, gnu::cold, gnu::noinline]] inline void domain_too_long(const char* shape, double l, int most) {
+    throw DomainTooLong("a particle domain " + std::to_string(l) + " cells long: " + shape + " takes more than 0 and at most " +
+                        std::to_string(most));
+}
 /// Throws unless 0 < l <= most; also catches nan.
 inline void check_domain(const char* shape, double l, int most) {
     if (!(l > 0 && l <= most)) [[unlikely]]
-        throw DomainTooLong("a particle domain " + std::to_string(l) + " cells long: " + shape +
-                            " takes more than 0 and at most " + std::to_string(most));
+        domain_too_long(shape, l, most);
 }
 }  // namespace detail
 

@@ -18,6 +18,8 @@ namespace mpm {
 template <int D, class KernelType> struct Tensor {
     using Kernel = KernelType;
     static constexpr int dim = D, N = Kernel::support;
+    static constexpr int rows = N;            // of nodes that a particle touches; threads share the particles by them
+    static constexpr bool numbered = false;   // keeps nothing by a particle's place
     static constexpr bool total_lagrangian = false;
 
     Lattice<D> lattice;
@@ -39,6 +41,7 @@ template <int D, class KernelType> struct Tensor {
 /// function: a step is compiled for each size of stencil, not for each function.
 template <int D, int Support> class StoredWeights {
 public:
+    static constexpr int rows = Support;
     static constexpr bool total_lagrangian = true;
     StoredWeights() = default;
     template <class Shape, class Points> StoredWeights(const Shape& shape, const Points& points) {

@@ -1,13 +1,15 @@
 /// What one step costs: every explicit scheme with every shape, in 1D and 2D, beside the hand-written kernel of kernel.hpp, which is first
 /// checked to give the same numbers. Counter `particle`: time per particle and step; compare ratios within one run.
-///   g++ -std=c++20 -O3 -DNDEBUG -I. -I/usr/include/eigen3 tests/benchmarks/step.cpp -lbenchmark -pthread
+///   g++ -std=c++20 -O3 -DNDEBUG -I. -I/usr/include/eigen3 tests/benchmarks/step.cpp lab/threads.cpp -fopenmp -lbenchmark
 ///   ./a.out --benchmark_filter='musl|kernel' --benchmark_enable_random_interleaving=true --benchmark_repetitions=9
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <random>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -110,6 +112,11 @@ by_hand::Square by_hand_copy(const auto& body) {
 /// Cells along each axis for about `count` particles.
 int cells_for(double count, int D) { return static_cast<int>(std::lround(D == 1 ? count / 2 : std::sqrt(count / 4))); }
 
+/// Particles and threads of the benchmarks in two dimensions, named e.g. musl/hat/2d/linear/100000/threads:2/real_time.
+void sizes_and_threads(benchmark::internal::Benchmark* b) {
+    b->ArgNames({"", "threads"})->ArgsProduct({{1000, 10000, 100000, 1000000}, {1, 2}})->MeasureProcessCPUTime()->UseRealTime();
+}
+
 void report(benchmark::State& state, std::size_t particles) {
     using benchmark::Counter;
     state.counters["particle"] = Counter(static_cast<double>(particles), Counter::kIsIterationInvariantRate | Counter::kInvert);
@@ -117,6 +124,8 @@ void report(benchmark::State& state, std::size_t particles) {
 
 template <class Scheme, int D, class Law, class Kernel> void time_page(benchmark::State& state) {
     auto bodies = vibrating<Scheme, D, Law, Kernel>(cells_for(static_cast<double>(state.range(0)), D), slow);
+    if constexpr (D == 2) bodies[0].grid.use_threads(static_cast<int>(state.range(1)));
+    Scheme{}.step(bodies, Free{}, FreeScene{}, 0.0, dt);  // makes the buffers of several threads
     for (auto _ : state) {
         Scheme{}.step(bodies, Free{}, FreeScene{}, 0.0, dt);
         benchmark::ClobberMemory();
@@ -124,8 +133,25 @@ template <class Scheme, int D, class Law, class Kernel> void time_page(benchmark
     report(state, bodies[0].points.size());
 }
 
+/// Particles in random order, which are sorted by cell when that pays, or never.
+template <bool sorted> void time_shuffled(benchmark::State& state) {
+    auto bodies = vibrating<Musl, 2, LinearElastic, Hat>(cells_for(static_cast<double>(state.range(0)), 2), slow);
+    auto& body = bodies[0];
+    std::shuffle(body.points.begin(), body.points.end(), std::mt19937(1));
+    body.grid.use_threads(static_cast<int>(state.range(1)));
+    for (auto _ : state) {
+        if constexpr (sorted) body.order.keep(body);
+        Musl{}.step(bodies, Free{}, FreeScene{}, 0.0, dt);
+        benchmark::ClobberMemory();
+    }
+    report(state, body.points.size());
+}
+
 template <class Law, class Kernel, auto step> void time_kernel(benchmark::State& state) {
     auto square = by_hand_copy(vibrating<Musl, 2, Law, Kernel>(cells_for(static_cast<double>(state.range(0)), 2), slow)[0]);
+    square.threads = static_cast<int>(state.range(1));
+    square.cut();
+    step(square, dt);
     for (auto _ : state) {
         step(square, dt);
         benchmark::ClobberMemory();
@@ -158,12 +184,16 @@ template <class Law, class Kernel, auto step> void check() {
 template <class Law, class Kernel, auto step> void add_kernel() {
     check<Law, Kernel, step>();
     const std::string name = std::string("kernel/") + Kernel::name + "/2d/" + Law::name;
-    benchmark::RegisterBenchmark(name.c_str(), time_kernel<Law, Kernel, step>)->RangeMultiplier(10)->Range(1000, 1000000);
+    benchmark::RegisterBenchmark(name.c_str(), time_kernel<Law, Kernel, step>)->Apply(sizes_and_threads);
 }
 
 template <class Scheme, int D, class Law, class Kernel> void add() {
     const std::string name = std::string(Scheme::name) + "/" + Kernel::name + (D == 1 ? "/1d/" : "/2d/") + Law::name;
-    benchmark::RegisterBenchmark(name.c_str(), time_page<Scheme, D, Law, Kernel>)->RangeMultiplier(10)->Range(1000, 1000000);
+    auto* page = benchmark::RegisterBenchmark(name.c_str(), time_page<Scheme, D, Law, Kernel>);
+    if constexpr (D == 2)
+        page->Apply(sizes_and_threads);
+    else
+        page->RangeMultiplier(10)->Range(1000, 1000000);
 }
 
 template <class Law, class Kernel, class... Scheme> void add_schemes(List<Scheme...>) {
@@ -184,11 +214,15 @@ int main(int argc, char** argv) {
     using L = by_hand::Law;
     add_kernel<LinearElastic, Hat, by_hand::step_hat<L::linear_elastic>>();
     add_kernel<NeoHookean, Hat, by_hand::step_hat<L::neo_hookean>>();
-    add_kernel<LinearElastic, Quadratic, by_hand::step_quadratic<L::linear_elastic>>();
-    add_kernel<NeoHookean, Quadratic, by_hand::step_quadratic<L::neo_hookean>>();
+    add_kernel<LinearElastic, Quadratic, by_hand::step_spline<L::linear_elastic, 3>>();
+    add_kernel<NeoHookean, Quadratic, by_hand::step_spline<L::neo_hookean, 3>>();
+    add_kernel<LinearElastic, Cubic, by_hand::step_spline<L::linear_elastic, 4>>();
+    add_kernel<NeoHookean, Cubic, by_hand::step_spline<L::neo_hookean, 4>>();
     add_shapes(Schemes{}, Shapes{});
     add_shapes(List<Tlmpm>{}, TotalLagrangianShapes{});
     add_neo_hookean(Shapes{});
+    benchmark::RegisterBenchmark("shuffled/hat/2d/linear", time_shuffled<false>)->Apply(sizes_and_threads);
+    benchmark::RegisterBenchmark("shuffled_then_sorted/hat/2d/linear", time_shuffled<true>)->Apply(sizes_and_threads);
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     benchmark::RunSpecifiedBenchmarks();
