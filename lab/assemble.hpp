@@ -212,7 +212,8 @@ template <class Shape, class Scheme, class Scene, class Transfer, class MakeShap
     Assembled a = watched_and_reported(problem, combination, cells, common);
     a.simulation.step = [moved, problem](double t, double dt) {
         if constexpr (may_reorder<OneBody, Scene>)
-            for (OneBody& body : moved->bodies) body.order.keep(body);
+            for (OneBody& body : moved->bodies)
+                if (body.order.keep(static_cast<Substance&>(body))) body.strips.forget();
         moved->scheme.step(moved->bodies, Free{}, problem->scene, t, dt);
     };
     return a;

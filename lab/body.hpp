@@ -131,47 +131,60 @@ namespace detail {
 /// may keep anything, and one thread sweeps them.
 template <class Body> constexpr bool shares_sweeps = Body::D == 2 && requires { Body::Shape::rows; };
 
-/// The plain loop, with the visit in it: calls would cost as much as what they do.
-template <class Body, class Node, class Visit> [[gnu::flatten]] void in_one_thread(Body& body, Node* nodes, Visit& visit) {
-    for (std::size_t i = 0; i < body.points.size(); ++i) {
-        const auto& stencil = body.shape(body.points[i], i);
-        visit(body.points[i], Weights{stencil, nodes});
+/// The loop over some particles, with the visit in it: calls would cost as much as what they do. Compiled once, for one thread and for
+/// several. Returns the number of strays.
+template <class Body, class Node, class Visit>
+[[gnu::noinline, gnu::flatten]] std::uint32_t visit_part(Body& body, Node* nodes, Visit& visit, const Strips::Part& part) {
+    std::uint32_t strays = 0;
+    std::size_t k = part.begin;
+    try {
+        for (; k < part.end; ++k) {
+            const std::size_t i = part.number(k);
+            const auto& stencil = body.shape(body.points[i], i);
+            if constexpr (shares_sweeps<Body>)
+                if (!part.reach.holds(stencil[0].node)) [[unlikely]] {
+                    part.strays[strays++] = static_cast<std::uint32_t>(i);
+                    continue;
+                }
+            visit(body.points[i], Weights{stencil, nodes});
+        }
+    } catch (...) {
+        if (!part.first) throw;
+        part.first->caught(part.number(k));
     }
+    return strays;
 }
 
-/// By several threads; kept apart from the plain loop, which must not pay for it.
-template <class Body, class Visit> [[gnu::noinline]] void scatter_in_threads(Body& body, Visit& visit) {
-    auto* nodes = &*body.grid.begin();
+template <class Body, class Visit> void scatter_in_threads(Body& body, Visit& visit) {
     const int threads = body.grid.threads();
     const auto& lattice = body.grid.lattice();
     body.strips.prepare(body.points.size(), lattice.nodes(1), lattice.nodes(0), Body::Shape::rows, threads,
                         [&](std::size_t i) { return body.shape(body.points[i], i)[0].node; });
-    body.strips.sweep(threads, [&](Strips::Reach reach, std::size_t i) {
-        const auto& stencil = body.shape(body.points[i], i);
-        if (!reach.holds(stencil[0].node)) [[unlikely]]
-            return false;
-        visit(body.points[i], Weights{stencil, nodes});
-        return true;
-    });
+    body.strips.sweep(threads, [&](const Strips::Part& part) { return visit_part(body, &body.grid[0], visit, part); });
 }
-template <class Body, class Visit> [[gnu::noinline]] void gather_in_threads(Body& body, Visit& visit) {
-    const auto* nodes = &*body.grid.begin();
-    in_ranges(body.grid.threads(), body.points.size(), [&](std::size_t i) {
-        const auto& stencil = body.shape(body.points[i], i);
-        visit(body.points[i], Weights{stencil, nodes});
+template <class Body, class Node, class Visit> void gather_in_threads(Body& body, Node* nodes, Visit& visit) {
+    FirstThrown first;
+    const auto parts = static_cast<std::size_t>(body.grid.threads());
+    in_threads(body.grid.threads(), [&](int thread) {
+        const std::size_t k = static_cast<std::size_t>(thread), n = body.points.size();
+        Strips::Part part{n * k / parts, n * (k + 1) / parts};
+        part.first = &first;
+        visit_part(body, nodes, visit, part);
     });
+    first.rethrow();
 }
 }  // namespace detail
 
 /// Visits every particle with its weights, in one thread and one after the other: for visitors that write elsewhere than to the
 /// particle and its nodes. A particle outside the grid throws OutsideGrid.
 template <class Body, class Visit> void in_order(Body& body, Visit&& visit) {
+    const Strips::Part all{0, body.points.size()};
     if constexpr (goes_by_corners<typename Body::Shape>) {
         body.shape.corners().from_grid(body.grid, body.corner_nodes);
-        detail::in_one_thread(body, body.corner_nodes.data(), visit);
+        detail::visit_part(body, body.corner_nodes.data(), visit, all);
         body.shape.corners().to_grid(body.corner_nodes, body.grid);
     } else {
-        detail::in_one_thread(body, &*body.grid.begin(), visit);
+        detail::visit_part(body, &body.grid[0], visit, all);
     }
 }
 
@@ -186,16 +199,14 @@ template <class Body, class Visit> void scatter(Body& body, Visit&& visit) {
 
 /// The same for a visitor that only reads the nodes.
 template <class Body, class Visit> void gather(Body& body, Visit&& visit) {
-    if constexpr (detail::shares_sweeps<Body>)
-        if (body.grid.threads() > 1) return detail::gather_in_threads(body, visit);
+    const typename Body::Node* nodes = &body.grid[0];
     if constexpr (goes_by_corners<typename Body::Shape>) {
         body.shape.corners().from_grid(body.grid, body.corner_nodes);
-        const auto* corners = body.corner_nodes.data();
-        detail::in_one_thread(body, corners, visit);
-    } else {
-        const auto* nodes = &*body.grid.begin();
-        detail::in_one_thread(body, nodes, visit);
+        nodes = body.corner_nodes.data();
     }
+    if constexpr (detail::shares_sweeps<Body>)
+        if (body.grid.threads() > 1) return detail::gather_in_threads(body, nodes, visit);
+    detail::visit_part(body, nodes, visit, {0, body.points.size()});
 }
 
 }  // namespace mpm

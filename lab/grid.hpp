@@ -106,12 +106,8 @@ private:
 
 /// Visits every node, each on its own: `each(body.grid, [&](auto& node) {...})`. In as many threads as the grid was given.
 template <int D, class Node, class Visit> void each(Grid<D, Node>& grid, Visit&& visit) {
-    if constexpr (D == 2)
-        if (grid.threads() > 1) {
-            Node* const nodes = &grid[0];
-            return in_ranges(grid.threads(), static_cast<std::size_t>(grid.size()), [&](std::size_t I) { visit(nodes[I]); });
-        }
-    for (Node& node : grid) visit(node);
+    Node* const nodes = &grid[0];
+    in_ranges(grid.threads(), static_cast<std::size_t>(grid.size()), [&](std::size_t I) { visit(nodes[I]); });
 }
 
 }  // namespace mpm

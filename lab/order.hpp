@@ -19,12 +19,12 @@ template <class Point> class CellOrder {
 public:
     static constexpr long every = 20;  // steps between looks
 
-    /// To be called before a step; returns whether it sorted.
-    template <class Body> bool keep(Body& body) { return calls_++ % every == 0 && pays(body) && sort(body); }
+    /// To be called before a step; returns whether it sorted the points of a Matter.
+    template <class Matter> bool keep(Matter& body) { return calls_++ % every == 0 && pays(body) && sort(body); }
 
     /// Sorts by cell, one row of cells after the other; the particles of a cell keep their order, and their numbers (Matter::numbers) go
     /// with them. Does nothing and returns false if a particle is outside the grid: the step will say so.
-    template <class Body> bool sort(Body& body) {
+    template <class Matter> [[gnu::cold]] bool sort(Matter& body) {
         const auto& lattice = body.grid.lattice();
         const std::size_t count = body.points.size();
         start_.assign(static_cast<std::size_t>(lattice.cells(0)) * static_cast<std::size_t>(lattice.cells(1)) + 1, 0);
@@ -46,7 +46,6 @@ public:
         }
         body.points.swap(points_);
         body.numbers.swap(numbers_);
-        body.strips.forget();
         return true;
     }
 
@@ -63,12 +62,12 @@ private:
 
     /// Looks at one pair of neighbours in memory out of 17. A particle far from its neighbour costs about 10 ns a step while particles
     /// and nodes fit into a second-level cache, and 60 ns and more otherwise; a sort costs 30 to 80 ns a particle.
-    template <class Body> bool pays(const Body& body) const {
+    template <class Matter> [[gnu::cold]] bool pays(const Matter& body) const {
         std::size_t pairs = 0, far = 0;
         for (std::size_t i = 1; i < body.points.size(); i += 17, ++pairs)
             if (!place(body.grid.lattice(), body.points[i]).beside(place(body.grid.lattice(), body.points[i - 1]))) ++far;
         const std::size_t nodes = static_cast<std::size_t>(body.grid.size());
-        const std::size_t bytes = body.points.size() * sizeof(Point) + nodes * sizeof(typename Body::Node);
+        const std::size_t bytes = body.points.size() * sizeof(Point) + nodes * sizeof(typename Matter::Node);
         const std::size_t cost_of_far = bytes < (std::size_t{4} << 20) ? 10 : 60, cost_of_sort = 60;
         return far * cost_of_far * every > pairs * cost_of_sort;
     }

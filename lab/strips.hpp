@@ -1,8 +1,9 @@
 /// Particles in strips of node rows, so that several threads can add to the nodes of one grid with sums that repeat bit for bit.
 #pragma once
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "lab/threads.hpp"
@@ -21,14 +22,10 @@ public:
     /// node rows that a particle touches; the grid has `grid_rows` of `row_length` nodes. Nothing is allocated while these numbers stay.
     template <class FirstNode>
     void prepare(std::size_t particles, int grid_rows, int row_length, int rows, int threads, FirstNode&& first_node) {
-        if (made_ && particles == numbers_.size() && grid_rows == grid_rows_ && row_length == row_length_ && rows == rows_ &&
-            strays_ * 1000 <= particles)
-            return;
+        if (will_do(particles, grid_rows, row_length, rows)) return;
         resize(particles, grid_rows, row_length, rows);
-        in_ranges(threads, particles,
-                  [&](std::size_t i) { scratch_[i] = static_cast<std::uint32_t>(first_node(i) / row_length_ / height_); });
+        in_ranges(threads, particles, [&](std::size_t i) { scratch_[i] = static_cast<std::uint32_t>(first_node(i)); });
         sort();
-        made_ = true;
     }
     /// Asks for new strips: the particles have other numbers now.
     void forget() { made_ = false; }
@@ -45,77 +42,31 @@ public:
     };
     Reach reach(int strip) const { return {(strip * height_ - slack_) * row_length_, (height_ + 2 * slack_) * row_length_}; }
 
-    /// Calls visit(reach, i) for each particle: it visits the particle and returns true if its stencil begins within the reach, and else
-    /// does nothing and returns false. What visits throw is thrown at the end, that of the lowest particle.
+    /// Some particles for one thread: numbers[begin] ... numbers[end - 1], or the numbers themselves where there is no list. Those whose
+    /// stencils do not begin within the reach are no part of it; their numbers go to `strays`.
+    struct Part {
+        std::size_t begin, end;
+        const std::uint32_t* numbers = nullptr;
+        Reach reach = {0, std::numeric_limits<int>::max()};
+        std::uint32_t* strays = nullptr;
+        FirstThrown* first = nullptr;  // keeps what is thrown; without it, it is thrown on
+        std::size_t number(std::size_t k) const { return numbers ? numbers[k] : k; }
+    };
+
+    /// Calls visit(part), which returns how many strays it wrote, for parts that together hold each particle once. What visits throw is
+    /// thrown at the end, that of the lowest particle.
     template <class Visit> void sweep(int threads, Visit&& visit) {
-        FirstThrown first;
-        for (const int colour : {0, 1})
-            in_threads(threads, [&](int k) {
-                for (int s = colour; s < count(); s += 2)
-                    if (thread_of(s, threads) == k) sweep_strip(s, visit, first);
-            });
-        gather_strays();
-        if (strays_ > 0 && scratch_[0] < first.number())
-            visit_all(scratch_.data(), strays_, Reach{0, grid_rows_ * row_length_}, scratch_.data(), visit, first);
-        first.rethrow();
+        using Type = std::remove_reference_t<Visit>;
+        sweep(threads, [](void* v, const Part& part) { return (*static_cast<Type*>(v))(part); }, &visit);
     }
 
 private:
-    void resize(std::size_t particles, int grid_rows, int row_length, int rows) {
-        made_ = false;
-        strays_ = 0;
-        grid_rows_ = grid_rows, row_length_ = row_length, rows_ = rows;
-        height_ = std::max(rows + 1, grid_rows / 64);  // a row of slack or more; strips for many threads
-        slack_ = (height_ - (rows - 1)) / 2;
-        start_.assign(static_cast<std::size_t>((grid_rows + height_ - 1) / height_) + 1, 0);
-        stray_.resize(start_.size());
-        scratch_.resize(particles);
-        numbers_.resize(particles);
-    }
-
-    /// A counting sort, which keeps the order of numbers within a strip.
-    void sort() {
-        for (const std::uint32_t s : scratch_) ++start_[s + 1];
-        for (std::size_t s = 1; s < start_.size(); ++s) start_[s] += start_[s - 1];
-        std::copy(start_.begin(), start_.end(), stray_.begin());
-        for (std::size_t i = 0; i < scratch_.size(); ++i) numbers_[stray_[scratch_[i]]++] = static_cast<std::uint32_t>(i);
-    }
-
-    /// Neighbouring strips share a thread, and threads get about equal numbers of particles.
-    int thread_of(int strip, int threads) const {
-        const auto s = static_cast<std::size_t>(strip);
-        const std::size_t middle = start_[s] + (start_[s + 1] - start_[s]) / 2;
-        return start_[s] < start_[s + 1] ? static_cast<int>(middle * static_cast<std::size_t>(threads) / numbers_.size()) : -1;
-    }
-
-    template <class Visit> void sweep_strip(int strip, Visit& visit, FirstThrown& first) {
-        const auto s = static_cast<std::size_t>(strip);
-        stray_[s] = visit_all(&numbers_[start_[s]], start_[s + 1] - start_[s], reach(strip), &scratch_[start_[s]], visit, first);
-    }
-
-    /// Writes the strays to `stray` and returns how many. Compiled once, and with the visit in it: calls would cost as much as what they
-    /// do.
-    template <class Visit> [[gnu::noinline, gnu::flatten]] static std::uint32_t visit_all(const std::uint32_t* numbers, std::size_t count,
-                                                                                          Reach reach, std::uint32_t* stray, Visit& visit,
-                                                                                          FirstThrown& first) {
-        std::uint32_t strays = 0;
-        std::size_t k = 0;
-        try {
-            for (; k < count; ++k)
-                if (!visit(reach, std::size_t{numbers[k]})) stray[strays++] = numbers[k];
-        } catch (...) {
-            first.caught(numbers[k]);
-        }
-        return strays;
-    }
-
-    /// To the front of `scratch_`, in the order of their numbers.
-    void gather_strays() {
-        strays_ = 0;
-        for (std::size_t s = 0; s + 1 < start_.size(); ++s)
-            for (std::size_t k = 0; start_[s] < start_[s + 1] && k < stray_[s]; ++k) scratch_[strays_++] = scratch_[start_[s] + k];
-        std::sort(scratch_.begin(), scratch_.begin() + static_cast<std::ptrdiff_t>(strays_));
-    }
+    void sweep(int threads, std::uint32_t (*visit)(void* what, const Part&), void* what);
+    bool will_do(std::size_t particles, int grid_rows, int row_length, int rows) const;
+    void resize(std::size_t particles, int grid_rows, int row_length, int rows);
+    void sort();
+    int thread_of(int strip, int threads) const;
+    void gather_strays();
 
     bool made_ = false;
     int grid_rows_ = 0, row_length_ = 1, rows_ = 1, height_ = 1, slack_ = 0;

@@ -1,4 +1,4 @@
-/// Work shared by several threads. What runs in one thread never enters here.
+/// Work shared by several threads.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -38,23 +38,26 @@ private:
 };
 
 namespace detail {
-/// With the visit in it: calls would cost as much as what they do.
-template <class Visit> [[gnu::noinline, gnu::flatten]] void visit_range(std::size_t i, std::size_t end, Visit& visit, FirstThrown& first) {
+/// The loop of one thread or of all work, with the visit in it: calls would cost as much as what they do. Compiled once for both. What a
+/// visit throws is kept in `first`, if that is given.
+template <class Visit> [[gnu::noinline, gnu::flatten]] void visit_range(std::size_t i, std::size_t end, Visit& visit, FirstThrown* first) {
     try {
         for (; i < end; ++i) visit(i);
     } catch (...) {
-        first.caught(i);
+        if (!first) throw;
+        first->caught(i);
     }
 }
 }  // namespace detail
 
 /// Calls visit(i) for i = 0 ... count - 1, equal ranges of numbers in each thread. Rethrows the exception of the lowest number.
 template <class Visit> void in_ranges(int threads, std::size_t count, Visit&& visit) {
+    if (threads == 1) return detail::visit_range(0, count, visit, nullptr);
     FirstThrown first;
     const auto parts = static_cast<std::size_t>(threads);
     in_threads(threads, [&](int k) {
         const auto part = static_cast<std::size_t>(k);
-        detail::visit_range(count * part / parts, count * (part + 1) / parts, visit, first);
+        detail::visit_range(count * part / parts, count * (part + 1) / parts, visit, &first);
     });
     first.rethrow();
 }
