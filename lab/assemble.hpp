@@ -29,8 +29,8 @@ template <class Scheme, class Transfer, int D> using NodeFor = typename Transfer
 /// A scene tells its law, lattice(cells, nodes per cell), particles<Point>(cells, ppc), or bodies<Point>(cells, ppc) if there may be several,
 /// load(body, t), fix(grid, field, t), speed(), wave_speed(), watch(points, t) and an Observer, both of which see the particles of all bodies. It
 /// may also tell held_force(grid), the force on held velocity components, from which the momentum balance takes the impulse of walls;
-/// supply(bodies, t, dt), impulse and work of its loads; animated(), what a gif shows; may_break, if gaps in its bodies are no defect;
-/// may_overlap, if bodies may lie in each other.
+/// supply(bodies, t, dt), impulse and work of its loads and of what holds nodes and moves; rigid(), particles {x, v} of rigid bodies;
+/// animated(), what a gif shows; may_break, if gaps in its bodies are no defect; may_overlap, if bodies may lie in each other.
 template <class Scene, class Matter> struct Problem {
     static constexpr int D = Scene::D;
 
@@ -108,7 +108,12 @@ template <class Scene, class Matter> [[gnu::cold]] Simulation watched(const std:
         const auto values = s->scene.watch(s->points(), t);
         return std::vector<double>(values.begin(), values.end());
     };
-    sim.write_particles = [s](const std::string& path) { write_particles<Scene::D>(path, s->bodies); };
+    sim.write_particles = [s](const std::string& path) {
+        if constexpr (requires { s->scene.rigid(); })
+            write_particles<Scene::D>(path, s->bodies, s->scene.rigid());
+        else
+            write_particles<Scene::D>(path, s->bodies);
+    };
     sim.write_nodes = [s](const std::string& path) { write_nodes<Scene::D>(path, s->bodies); };
     sim.keep = [s] { s->keep(); };
     sim.restore = [s] { s->restore(); };

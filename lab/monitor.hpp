@@ -59,6 +59,17 @@ template <class Bodies> Measures measure(const Bodies& bodies) {
 struct Supply {
     std::array<double, 2> impulse{};
     double work = 0;
+
+    /// An impulse along an axis, of something that moves with v.
+    void add(double along, int axis, double v) {
+        impulse[static_cast<std::size_t>(axis)] += along;
+        work += along * v;
+    }
+    Supply& operator+=(const Supply& other) {
+        for (std::size_t d = 0; d < impulse.size(); ++d) impulse[d] += other.impulse[d];
+        work += other.work;
+        return *this;
+    }
 };
 
 /// A named instability and the number that shows it.

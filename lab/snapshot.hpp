@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "lab/body.hpp"
@@ -9,8 +10,13 @@
 
 namespace mpm {
 
-/// Position, velocity, stress and volume of every particle of the bodies (pointers to Matter), in the order of numbers.
-template <int D, class Bodies> void write_particles(const std::string& path, const Bodies& bodies) {
+/// None, for snapshots.
+struct NoRigidBodies {};
+
+/// Position, velocity, stress and volume of every particle of the bodies (pointers to Matter), in the order of numbers. Particles {x, v} of rigid bodies follow as bodies of
+/// their own, without stress and volume.
+template <int D, class Bodies, class RigidBodies = NoRigidBodies>
+void write_particles(const std::string& path, const Bodies& bodies, const RigidBodies& rigid = {}) {
     CsvFile file(path, D == 1 ? std::vector<std::string>{"body", "x", "v", "F", "sigma", "V"}
                               : std::vector<std::string>{"body", "x", "y", "vx", "vy", "sxx", "syy", "sxy", "J", "V"});
     double number = 0;
@@ -29,6 +35,14 @@ template <int D, class Bodies> void write_particles(const std::string& path, con
         }
         ++number;
     }
+    if constexpr (D == 2 && !std::is_same_v<RigidBodies, NoRigidBodies>)
+        for (const auto& body : rigid) {
+            for (const auto& p : body) {
+                const double row[]{number, p.x[0], p.x[1], p.v[0], p.v[1], 0, 0, 0, 1, 0};
+                file.row(row, std::size(row));
+            }
+            ++number;
+        }
 }
 
 /// Position, mass and momentum of every node.

@@ -55,6 +55,8 @@ for start in uniform smooth; do
     for k in 2 4 8 16; do run column-c-$start-fmpm$k tlmpm_column $c --transfer fmpm --order $k; done
     run column-c-$start-fem fem_column $c
 done
+for n in 16 32; do run ring-$n smashed_ring --cells $n; done
+run ring-64 smashed_ring --cells 64 --cfl 0.6 --frames 15
 # Full order of the basis: consistent mass, steps so small that the leapfrog's error does not show.
 for shape in hat bernstein cubic; do
     ppc=2; [ $shape = bernstein ] && ppc=3
