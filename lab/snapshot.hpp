@@ -20,6 +20,7 @@ void write_particles(const std::string& path, const Bodies& bodies, const RigidB
     CsvFile file(path, D == 1 ? std::vector<std::string>{"body", "x", "v", "F", "sigma", "V"}
                               : std::vector<std::string>{"body", "x", "y", "vx", "vy", "sxx", "syy", "sxy", "J", "V"});
     double number = 0;
+    std::vector<double> row;
     for (const auto& body : bodies) {
         std::vector<std::size_t> place(body->points.size());  // of each number
         for (std::size_t i = 0; i < place.size(); ++i) place[body->number(i)] = i;

@@ -64,6 +64,10 @@ for shape in hat bernstein cubic; do
 done
 run order-lumped mms_segment --scheme tlmpm --shape cubic --points gauss --ppc 2 --cfl 0.0116 --cells 4,8,16,32
 run order-fem mms_segment --scheme fem --ppc 2 --cfl 0.0116 --cells 4,8,16,32
+for cells in 25 50 100; do
+    frames=0; [ $cells = 50 ] && frames=4
+    run steel-disk-$cells steel_disk --cells $cells --records 400 --frames $frames
+done
 
 # Variants side by side: error against run time of the segment, largest stable steps and stiff cases of the bar.
 segment() { printf ' -- mms_segment --G 0.05 --ppc 2 --repeat 5 %s' "$*"; }

@@ -1,6 +1,7 @@
 /// Several materials of one kind in one body: every particle names its own. They share the grid, and so they stick together.
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -16,6 +17,11 @@ template <class One> struct Materials {
     };
     std::vector<One> of;
 
+    static constexpr std::size_t own = [] {  // columns of its laws
+        if constexpr (requires { One::columns; }) return One::columns.size();
+        return std::size_t{0};
+    }();
+
     double wave_speed() const {
         double fastest = 0;
         for (const One& law : of) fastest = std::max(fastest, law.wave_speed());
@@ -28,6 +34,18 @@ template <class One> struct Materials {
         requires requires(const One& one, const Point& p) { one.dissipated(p); }
     double dissipated(const Point& p) const {
         return law(p).dissipated(p);
+    }
+
+    /// Further columns of snapshots: the material, and what its law shows.
+    static constexpr auto columns = [] {
+        std::array<const char*, 1 + own> all{"material"};
+        if constexpr (own > 0) std::copy(One::columns.begin(), One::columns.end(), all.begin() + 1);
+        return all;
+    }();
+    template <class Point> std::array<double, 1 + own> values(const Point& p) const {
+        std::array<double, 1 + own> all{static_cast<double>(p.material)};
+        if constexpr (own > 0) std::ranges::copy(law(p).values(p), all.begin() + 1);
+        return all;
     }
 };
 

@@ -22,7 +22,7 @@ template <int D, class Scheme, class Law, class Kernel = Hat, class Transfer = F
     static constexpr bool total = std::is_same_v<Scheme, Tlmpm>;
     using Moving = Tensor<D, Kernel>;
     using Shape = std::conditional_t<total, Stored<Moving>, Moving>;
-    using Point = typename Transfer::template PointOf<mpm::Point<D>>;
+    using Point = typename Transfer::template PointOf<typename WithHistory<Law, mpm::Point<D>>::Point>;
     using Node = typename Transfer::template NodeOf<typename Scheme::template NodeOf<D>>;
     using BodyType = Body<D, Point, Node, Law, Shape, Transfer>;
 
