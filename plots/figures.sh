@@ -23,6 +23,29 @@ for scheme in musl usf; do segment $scheme-hat 4,8,16,32,64,128,256 --scheme $sc
 for shape in ugimp cubic; do segment usl-$shape 4,8,16,32,64,128,256 --scheme usl --shape $shape; done
 for scheme in usl musl; do segment $scheme-cpgimp 4,8,16,32,64,128,256,512 --scheme $scheme --shape cpgimp; done
 segment fem 4,8,16,32,64,128,256,512 --scheme fem
+# The manufactured square; the vortex as printed and better, and one setting after the other; on two cores.
+square() { name=$1; shift; run square-$name mms_square --points gauss --cells 8,16,32,64 --records 10 "$@"; }
+vortex() { name=$1; shift; run vortex-$name vortex --points gauss --cfl 0.93 --records 10 "$@"; }
+printed='--force nodes --cut whole --start whole --alpha 0.99'
+plane() {
+    for shape in hat cubic bernstein; do
+        ppc=2; [ $shape = bernstein ] && ppc=3
+        square $shape-1e-4 --shape $shape --ppc $ppc --G 1e-4 --cfl 0.2325
+        square $shape-0.05 --shape $shape --ppc $ppc --G 0.05 --cfl 0.2765
+        square printed-$shape --shape $shape --ppc $ppc --G 0.05 --cfl 0.2765 --force nodes --alpha 0.99
+    done
+    vortex printed-hat --shape hat --cells 50,100,200 $printed
+    vortex printed-bernstein --shape bernstein --ppc 3 --cells 50,100 $printed
+    vortex bernstein --shape bernstein --ppc 3 --cells 50,100
+    vortex ring --shape bernstein --ppc 3 --cells 76 --t-end 0.5 --frames 1
+}
+plane &
+vortex printed-cubic --shape cubic --cells 50,100,200 $printed
+vortex cubic --shape cubic --cells 50,100,200
+vortex particles --shape cubic --cells 50,100 --cut whole --start whole --alpha 0.99
+vortex fmpm --shape cubic --cells 50,100 --transfer fmpm --order 5
+run vortex-steps vortex --shape cubic --points gauss --cfl 0.465 --records 10 --cells 50,100 $printed
+wait $!
 run crossing-1 cell_crossing
 run crossing-3 cell_crossing --ppc 3 --offset 0.05
 for cfl in 0.12 0.06 0.03 0.015 0.0075; do run crossing-cfl-$cfl cell_crossing --ppc 3 --offset 0.05 --cfl $cfl; done
