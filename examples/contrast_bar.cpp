@@ -18,7 +18,7 @@ int run(int argc, char** argv) {
     options.choice("scheme", s.scheme, {"usl", "usf", "musl", "tlmpm"}, "method");
     s.scene.declare(options);
     s.transfer.declare(options);
-    s.common.declare(options, AllShapes::names(), s.scene.period());
+    s.common.declare(options, AllShapes::names(), s.scene.period(), {.period = true});
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
     s.transfer.check(s.common.ppc);

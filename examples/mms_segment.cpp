@@ -59,7 +59,7 @@ int run(int argc, char** argv) {
     options.choice("stress", s.stress, {"musl", "usl"}, "of --scheme tlmpm: velocities of the stress update mapped twice (musl) or not (usl)");
     s.scene.declare(options);
     s.transfer.declare(options);
-    s.common.declare(options, shapes, s.scene.period());
+    s.common.declare(options, shapes, s.scene.period(), {.period = true});
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
     const Choice& choice = *std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.name == s.scheme; });

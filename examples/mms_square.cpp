@@ -3,6 +3,7 @@
 /// The time step is a fraction of h/(c_P + |v|); the review's 0.2 h/sqrt(E/rho) is --cfl 0.2325 for nu = 0.3 and small G, 0.2765 for
 /// G = 0.05. As printed: --force nodes --alpha 0.99.
 #include "examples/mms_square/settings.hpp"
+#include "lab/traits.hpp"
 #include "examples/scheme_choice.hpp"
 
 namespace {
@@ -39,7 +40,8 @@ int run(int argc, char** argv) {
                    "of --scheme tlmpm: velocities of the stress update mapped twice (musl) or not (usl)");
     s.scene.declare(options);
     s.transfer.declare(options);
-    s.common.declare(options, AllShapes::names(), s.scene.period());
+    s.common.declare(options, AllShapes::names(), s.scene.period(), traits_of(Square<true>{}));
+    s.common.declare_threads(options);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
     const auto& choice = chosen(choices, s.scheme, s.common.shape);

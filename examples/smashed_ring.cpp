@@ -4,6 +4,7 @@
 ///   ./smashed_ring --cells 16,32,64 --t-end 20
 #include "chapters/weighting/shapes.hpp"
 #include "examples/smashed_ring/settings.hpp"
+#include "lab/traits.hpp"
 
 namespace {
 
@@ -36,7 +37,8 @@ int run(int argc, char** argv) {
     options.number("alpha", s.alpha, "-", between(0, 1), "mix of FLIP (1) and PIC (0)");
     options.number("cutoff", s.cutoff, "mass", at_least(0), "nodes with at most this mass are left out (2.63); for --scheme usl");
     s.ring.declare(options);
-    s.common.declare(options, UpdatedShapes::names(), s.ring.time_of(compression));
+    s.common.declare(options, UpdatedShapes::names(), s.ring.time_of(compression), traits_of(SmashedRing{}));
+    s.common.declare_threads(options);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
     if (!options.given("t-end")) s.common.t_end = s.ring.time_of(compression);

@@ -6,6 +6,7 @@
 ///   ./steel_disk --cells 25,50,100
 #include "chapters/weighting/shapes.hpp"
 #include "examples/steel_disk/settings.hpp"
+#include "lab/traits.hpp"
 
 namespace {
 
@@ -34,7 +35,8 @@ int run(int argc, char** argv) {
     s.impact.declare(options);
     options.choice("transfer", s.transfer, {"flip", "apic"}, "how velocities go between particles and grid");
     options.number("alpha", s.alpha, "-", between(0, 1), "mix of FLIP (1) and PIC (0); for --transfer flip");
-    s.common.declare(options, UpdatedShapes::names(), SteelDisk{}.t_end);
+    s.common.declare(options, UpdatedShapes::names(), SteelDisk{}.t_end, traits_of(SteelDisk{}));
+    s.common.declare_threads(options);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
     check(s);

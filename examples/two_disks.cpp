@@ -6,6 +6,7 @@
 
 #include "chapters/weighting/shapes.hpp"
 #include "examples/two_disks/settings.hpp"
+#include "lab/traits.hpp"
 
 namespace {
 
@@ -39,7 +40,7 @@ int run(int argc, char** argv) {
     options.number("cutoff", s.cutoff, "mass", at_least(0), "nodes with at most this mass are left out (2.63); for --scheme usl");
     s.disks.declare(options);
     s.transfer.declare(options);
-    s.common.declare(options, AllShapes::names(), 3.5);
+    s.common.declare(options, AllShapes::names(), 3.5, traits_of(TwoDisks<false>{}));
     s.common.declare_threads(options);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;

@@ -4,6 +4,7 @@
 /// the sheared ring takes through a cell (vortex.hpp): 0.1 h/sqrt(E/rho) is --cfl 0.93 for --scheme tlmpm; --transfer fmpm wants half.
 #include "examples/scheme_choice.hpp"
 #include "examples/vortex/settings.hpp"
+#include "lab/traits.hpp"
 
 namespace {
 
@@ -39,7 +40,8 @@ int run(int argc, char** argv) {
                    "of --scheme tlmpm: velocities of the stress update mapped twice (musl) or not (usl)");
     s.scene.declare(options);
     s.transfer.declare(options);
-    s.common.declare(options, AllShapes::names(), s.scene.T0);
+    s.common.declare(options, AllShapes::names(), s.scene.T0, traits_of(Vortex<true>{}));
+    s.common.declare_threads(options);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
     const auto& choice = chosen(choices, s.scheme, s.common.shape);

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -11,11 +12,12 @@
 #include "lab/body.hpp"
 #include "lab/boundary.hpp"
 #include "lab/clock.hpp"
+#include "lab/columns.hpp"
 #include "lab/coverage.hpp"
 #include "lab/monitor.hpp"
 #include "lab/overlap.hpp"
 #include "lab/program.hpp"
-#include "lab/snapshot.hpp"
+#include "lab/traits.hpp"
 
 namespace mpm {
 
@@ -47,6 +49,7 @@ template <class Scene, class Matter> struct Problem {
     NodeWatch nodes;
     bool watches_nodes = false;
     double cutoff = 0;  // the scheme's, if it has one [mass]
+    std::function<Mapping(std::size_t body)> mapping;  // of the weighting function, for --smooth
     typename Scene::Observer observer;
 
     AllPoints<Matter> points() const { return AllPoints<Matter>(bodies); }
@@ -108,13 +111,13 @@ template <class Scene, class Matter> [[gnu::cold]] Simulation watched(const std:
         const auto values = s->scene.watch(s->points(), t);
         return std::vector<double>(values.begin(), values.end());
     };
-    sim.write_particles = [s](const std::string& path) {
+    sim.particles = [s] {
         if constexpr (requires { s->scene.rigid(); })
-            write_particles<Scene::D>(path, s->bodies, s->scene.rigid());
+            return particles_of<Scene::D>(s->bodies, s->mapping, s->scene.rigid());
         else
-            write_particles<Scene::D>(path, s->bodies);
+            return particles_of<Scene::D>(s->bodies, s->mapping);
     };
-    sim.write_nodes = [s](const std::string& path) { write_nodes<Scene::D>(path, s->bodies); };
+    sim.nodes = [s] { return nodes_of<Scene::D>(s->bodies); };
     sim.keep = [s] { s->keep(); };
     sim.restore = [s] { s->restore(); };
     return sim;
@@ -167,10 +170,11 @@ template <class Scene, class Matter> [[gnu::cold]] Assembled watched_and_reporte
     a.errors = [s](double t_end) { return s->observer.errors(t_end); };
     a.facts = [s](double t_end) { return s->observer.facts(t_end); };
     a.nodes = [s] { return s->nodes; };
-    if constexpr (requires { scene.animated(); })
-        a.animated = scene.animated();
-    else if constexpr (Scene::D == 2)
-        a.animated = {"x", "y", "sxx", "x [length]", "y [length]", "σ_{xx} [force/area]"};
+    a.animated = animated_of(scene);
+    if (!common.colour.empty() && common.colour != a.animated.colour) {
+        a.animated.colour = common.colour;
+        a.animated.colour_label = column_label(common.colour);
+    }
     return a;
 }
 
@@ -212,6 +216,8 @@ template <class Shape, class Scheme, class Scene, class Transfer, class MakeShap
     if constexpr (requires { scheme.start(moved->bodies, scene); }) moved->scheme.start(moved->bodies, scene);
     for (OneBody& body : moved->bodies) problem->bodies.push_back(&body);
     for (OneBody& body : moved->bodies) body.grid.use_threads(common.threads);
+    if constexpr (!goes_by_corners<Shape>)
+        if (common.smooth) problem->mapping = [moved](std::size_t b) { return mapping_of(moved->bodies[b].shape, moved->bodies[b].points); };
     Combination combination{facts, Scheme::name, transfer.name, Shape::total_lagrangian, 0};
     if constexpr (requires { scheme.cutoff; }) combination.cutoff = scheme.cutoff;
     Assembled a = watched_and_reported(problem, combination, cells, common);

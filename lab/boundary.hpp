@@ -21,9 +21,9 @@ struct FixedNode {
     double v = 0;  // velocity [length/time]
 };
 
-/// Whatever can tell whether a place lies in it.
+/// Whatever can tell whether a place lies in it: the regions of lab/geometry.hpp and simpler ones.
 template <class R, int D>
-concept Region = requires(const R& region, const Vec<D>& x) {
+concept TellsInside = requires(const R& region, const Vec<D>& x) {
     { region.inside(x) } -> std::convertible_to<bool>;
 };
 
@@ -60,10 +60,10 @@ struct Dirichlet {
         hold_where(lattice, component, v, [&](const Vec<D>& at) { return beyond_is_below ? at[axis] <= x + eps : at[axis] >= x - eps; });
     }
     /// Holds a component on every node inside a region, or outside of it.
-    template <int D, Region<D> R> void hold_inside(const Lattice<D>& lattice, const R& region, int component, double v = 0) {
+    template <int D, TellsInside<D> R> void hold_inside(const Lattice<D>& lattice, const R& region, int component, double v = 0) {
         hold_where(lattice, component, v, [&](const Vec<D>& at) { return region.inside(at); });
     }
-    template <int D, Region<D> R> void hold_outside(const Lattice<D>& lattice, const R& region, int component, double v = 0) {
+    template <int D, TellsInside<D> R> void hold_outside(const Lattice<D>& lattice, const R& region, int component, double v = 0) {
         hold_where(lattice, component, v, [&](const Vec<D>& at) { return !region.inside(at); });
     }
 

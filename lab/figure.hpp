@@ -16,6 +16,7 @@ struct Panel {
     std::string csv = {};        // where its columns are, if not in the figure's file
     std::string surface_y = {};  // then the one curve is a height over the columns x and surface_y
     int surface_rows = 0;        // of the square of points where the height is given
+    std::string y_range = {};    // "[a:b]" or ""
 };
 
 /// Writes folder/name.gp, panels row by row from the CSV file `csv` beside it. `gnuplot name.gp` in that folder draws name.png; another
@@ -27,7 +28,8 @@ std::string write_figure(const std::string& folder, const std::string& name, con
 /// in pixels, commas, grid, line types), to be drawn as those of write_figure are. Throws FileTrouble.
 std::string write_drawing(const std::string& folder, const std::string& name, int width, int height, const std::string& body);
 
-/// What an animation shows of each snapshot's particles, by column name: y against x or, with a third column, points in its colours.
+/// What an animation shows of each snapshot's particles, by column name: y against x or, with a third column, particles in its colours,
+/// each a square of its area V.
 struct Animated {
     std::string x = "x", y = "v", colour = {};
     std::string x_label = "x [length]", y_label = "v [length/time]", colour_label = {};
@@ -42,6 +44,14 @@ struct Frame {
 /// Returns the paths of both. Throws FileTrouble.
 std::vector<std::string> write_animation(const std::string& folder, const std::string& name, const std::string& title,
                                          const Animated& animated, const std::vector<Frame>& frames);
+
+/// Writes folder/name.gp, a row of up to four of the snapshots, the first and the last among them (a column of them if the particles lie
+/// far wider than high), with one scale of colours. Returns its path. Throws FileTrouble.
+std::string write_particle_figure(const std::string& folder, const std::string& name, const std::string& title, const Animated& animated,
+                                  const std::vector<Frame>& frames);
+
+/// What a snapshot's column is, with its unit, for a scale of colours.
+std::string column_label(const std::string& column);
 
 /// Draws folder/name.gp as png, svg, pdf or tikz, or an animation as gif. Returns the picture's path, or "" when gnuplot is missing or
 /// fails (and says why in `why`).

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "lab/program_figures.hpp"
+
 #ifndef MPM_LAB_VERSION
 #define MPM_LAB_VERSION "0.1"
 #endif
@@ -24,41 +26,12 @@ RunPlan plan_of(const Common& c, const Assembled& a, const std::string& folder, 
     plan.progress = !c.quiet;
     plan.records = c.records;
     plan.frames = c.frames;
+    plan.nodes = {c.format == "csv", c.format == "vtk"};
+    plan.particles = {c.format == "csv" || shows_particles(c, a), c.format == "vtk"};  // pictures are drawn from CSV
     plan.stop_on_trouble = c.watch == "stop";
     plan.folder = folder;
     plan.columns = columns;
     return plan;
-}
-
-void figure(const Description& about, const Common& c, const std::string& folder, std::vector<std::string>& files) {
-    const double window = about.period > 0 ? std::min(c.t_end, 10 * about.period) : c.t_end;
-    const std::string first = "[0:" + number_text(window) + "]";
-    std::vector<Panel> panels = about.panels;
-    std::vector<Curve> own;
-    for (const std::string& name : about.columns)
-        own.push_back({name, name.ends_with("_exact") ? "exact" : "computed",
-                       name.ends_with("_exact") ? "lines dt 2 lc rgb 'black'" : "lines dt solid lc rgb '#c03030'"});
-    if (panels.empty()) panels.push_back({"", "t", "time t [time]", "v_{cm} [length/time]", own, first});
-    panels.push_back({"",
-                      "t",
-                      "time t [time]",
-                      "energy [force length]",
-                      {{"kinetic", "kinetic", "lines dt (8,3) lc rgb '#3060c0'"},
-                       {"strain", "strain", "lines dt (2,3) lc rgb '#40a040'"},
-                       {"total", "total", "lines dt solid lc rgb 'black'"}},
-                      first});
-    files.push_back(write_figure(folder, about.program, "history.csv", about.program + ": " + about.solves, panels));
-    if (c.plot != "gif") add_picture(folder, about.program, c.plot, files);
-}
-
-/// The snapshots of a run and how to animate them.
-void animation(const Description& about, const Common& c, const Assembled& a, const std::string& folder, const RunResult& r,
-               std::vector<std::string>& files) {
-    if (r.frames.empty()) return;
-    const std::string name = about.program + "_animation";
-    for (const std::string& path : write_animation(folder, name, about.program + ": " + about.solves, a.animated, r.frames))
-        files.push_back(path);
-    if (c.plot == "gif") add_picture(folder, name, c.plot, files);
 }
 
 /// Events that are legal but should be rare are counted and said.
@@ -89,7 +62,8 @@ void report(const Assembled& a, const RunResult& r, const RunPlan& plan, double 
 
 }  // namespace
 
-void Common::declare(Options& o, const std::vector<std::string>& shapes, double default_t_end) {
+void Common::declare(Options& o, const std::vector<std::string>& shapes, double default_t_end,
+                     const SceneTraits& traits) {
     t_end = default_t_end;
     o.integers("cells", cells, "cells", between(3, 1000000), "cells across the body's longest side; a list runs each");
     o.integer("ppc", ppc, "-", between(1, 100), "particles per cell and direction");
@@ -100,18 +74,33 @@ void Common::declare(Options& o, const std::vector<std::string>& shapes, double 
     o.choice("dt-from", dt_from, {"start", "step"}, "whole equal steps, or h/(c + |v|) afresh every step (review 2.7)");
     o.contradict("dt", "dt-from");
     o.number("t-end", t_end, "time", above(0), "end of the run");
-    o.number("periods", periods, "-", at_least(0), "end of the run in periods; 0: from --t-end");
-    o.contradict("periods", "t-end");
+    if (traits.period) {
+        o.number("periods", periods, "-", at_least(0), "end of the run in periods; 0: from --t-end");
+        o.contradict("periods", "t-end");
+    }
     o.text("out", out, "folder of the run; empty: out/<program>/<label>");
     o.text("label", label, "name of the run; empty: made of the options that differ");
     o.integer("records", records, "rows", between(1, 100000000), "rows of history.csv");
-    o.integer("frames", frames, "-", between(0, 100000), "snapshots of particles and nodes; with --plot gif 0 stands for 50");
-    o.choice("plot", plot, {"none", "png", "svg", "pdf", "tikz", "gif"}, "picture to draw; gif: an animation of the snapshots");
+    const bool plane = !traits.colours.empty();
+    o.integer("frames", frames, "-", between(0, 100000),
+              std::string("snapshots of particles and nodes after the start's; unless told, --plot gif takes 50") +
+                  (plane ? " and any other picture 3" : ""));
+    o.choice("format", format, {"csv", "vtk"}, "files of snapshots; with vtk (ParaView) CSV only if a picture of particles is drawn from it");
+    o.flag("smooth", smooth, "snapshots also hold the stress smoothed through the grid (review 4.10)");
+    o.choice("plot", plot, {"none", "png", "svg", "pdf", "tikz", "gif"},
+             plane ? "pictures to draw: history and particles; gif: an animation of the snapshots"
+                   : "picture to draw; gif: an animation of the snapshots");
+    if (plane) {
+        colour = traits.colour;
+        o.choice("colour", colour, traits.colours, "what the colours of particles show; ..._smooth with --smooth");
+        o.unlabelled("colour");
+    }
     o.integer("repeat", repeat, "-", between(1, 1000), "runs of each resolution; the fastest is reported");
     o.choice("watch", watch, {"stop", "warn"}, "stop when unstable, or go on and say so at the end");
     o.flag("quiet", quiet, "say nothing but errors");
     o.flag("dry-run", dry_run, "print what would run, run nothing");
-    for (const char* name : {"out", "label", "plot", "quiet", "dry-run", "records", "frames", "repeat"}) o.unlabelled(name);
+    for (const char* name : {"out", "label", "plot", "quiet", "dry-run", "records", "frames", "format", "smooth", "repeat"})
+        o.unlabelled(name);
 }
 
 void Common::declare_threads(Options& o) {
@@ -247,8 +236,8 @@ struct Report {
         unstable = unstable || best.trouble;
         summarise(a, plan, best, summary);
         files.insert(files.end(), best.files.begin(), best.files.end());
-        figure(about, c, here, files);
-        animation(about, c, a, here, best, files);
+        history_figure(about, c, a, best, here, files);
+        particle_figures(about, c, a, best, here, files);
         if (!c.quiet) report(a, best, plan, c.t_end);
         return best.interrupted;
     }
@@ -294,6 +283,9 @@ int run_program(const Description& about, const Options& options, const Common& 
     catch_interrupts();
     Common c = common;
     if (c.plot == "gif" && c.frames == 0) c.frames = 50;
+    const bool plane = !c.colour.empty();
+    if (plane && c.plot != "none" && !options.given("frames") && c.frames == 0) c.frames = 3;
+    if (c.colour.ends_with("_smooth") && !c.smooth) throw BadInput("--colour " + c.colour + ": allowed with --smooth");
     Report report{about, options, c, assemble};
     if (!c.dry_run) return report.all();
     report.dry_run(true);

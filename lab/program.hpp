@@ -15,6 +15,13 @@
 
 namespace mpm {
 
+/// What the options depend on: of a scene by traits_of (lab/traits.hpp).
+struct SceneTraits {
+    bool period = false;                   // it has a period: --periods is an option
+    std::vector<std::string> colours{};    // in 2D: the columns of a snapshot, for --colour
+    std::string colour{};                  // the one that is shown unless told
+};
+
 /// Options that every program has (DESIGN.md section 4).
 struct Common {
     std::vector<int> cells{50};
@@ -22,11 +29,11 @@ struct Common {
     std::string shape = "hat";
     double cfl = 0.1, dt = 0, t_end = 0, periods = 0;
     std::string dt_from = "start";
-    std::string out, label, config, plot = "none", watch = "stop";
+    std::string out, label, config, plot = "none", format = "csv", colour, watch = "stop";
     int records = 4000, frames = 0, repeat = 1, threads = 1;
-    bool quiet = false, dry_run = false;
+    bool smooth = false, quiet = false, dry_run = false;
 
-    void declare(Options& o, const std::vector<std::string>& shapes, double default_t_end);
+    void declare(Options& o, const std::vector<std::string>& shapes, double default_t_end, const SceneTraits& traits = {});
     /// `--threads`, for programs in two dimensions.
     void declare_threads(Options& o);
     /// The same with t_end made of --periods, if given.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <utility>
 
 #include "lab/progress.hpp"
 #include "lab/record.hpp"
@@ -138,10 +139,26 @@ private:
 
     void snapshot(long number) {
         result_.frames.push_back({number, t_});
-        char name[40];
-        for (const char* what : {"particles", "nodes"}) {
-            std::snprintf(name, sizeof name, "/%s_%04ld.csv", what, number);
-            (what[0] == 'p' ? sim_.write_particles : sim_.write_nodes)(plan_.folder + name);
+        char digits[24];
+        std::snprintf(digits, sizeof digits, "_%04ld", number);
+        write(sim_.particles(), plan_.particles, std::string("particles") + digits);
+        write(sim_.nodes(), plan_.nodes, std::string("nodes") + digits);
+        if (plan_.particles.vtk) vtk_frames_.emplace_back(digits, t_);
+    }
+
+    template <class Table> void write(const Table& table, const SnapshotFormat& format, const std::string& name) const {
+        const std::string path = plan_.folder + "/" + name;
+        if (format.csv) write_csv(path + ".csv", table);
+        if (format.vtk) write_vtk(path + ".vtk", name + ", t = " + number_text(t_), table);
+    }
+
+    /// The list of snapshots that ParaView reads as a film.
+    void write_series() {
+        for (const std::string what : {"particles", "nodes"}) {
+            std::vector<std::pair<std::string, double>> files;
+            for (const auto& [digits, t] : vtk_frames_) files.emplace_back(what + digits + ".vtk", t);
+            result_.files.push_back(plan_.folder + "/" + what + ".vtk.series");
+            write_vtk_series(result_.files.back(), files);
         }
     }
 
@@ -187,16 +204,18 @@ private:
         result_.stopped = stopped_by_ || result_.interrupted;
         if (stopped_by_) sim_.restore();
         if (result_.stopped) {
-            const std::string path = plan_.folder + "/particles_last_good.csv";
-            sim_.write_particles(path);
-            result_.files.push_back(path);
+            const std::string name = "particles_last_good";
+            write(sim_.particles(), plan_.particles, name);
+            result_.files.push_back(plan_.folder + "/" + name + (plan_.particles.csv ? ".csv" : ".vtk"));
         }
+        if (!vtk_frames_.empty()) write_series();
         result_.t = t_;
         result_.wall = watch_.wall;
         result_.cpu = watch_.cpu;
         result_.energy_drift = energy_.in_play() > 0 ? (now_.balance() - so_far_.work - first_.balance()) / energy_.in_play() : 0;
         const auto lost = [&](std::size_t d) { return now_.momentum[d] - first_.momentum[d] - so_far_.impulse[d]; };
         const double in_play = std::max(momentum_in_play_, std::hypot(so_far_.impulse[0], so_far_.impulse[1]));
+        result_.momentum_in_play = momentum_in_play_;
         result_.momentum_drift = in_play > 0 ? std::hypot(lost(0), lost(1)) / in_play : 0;
         return result_;
     }
@@ -212,6 +231,7 @@ private:
     Measures first_, now_;
     Supply supplied_, so_far_;  // now, and at the last record
     double momentum_in_play_ = 0;
+    std::vector<std::pair<std::string, double>> vtk_frames_;  // numbers as in the files' names, times
     double t_ = 0, next_ = 0, dt_ = 0;
 };
 

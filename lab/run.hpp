@@ -7,6 +7,7 @@
 #include "lab/clock.hpp"
 #include "lab/figure.hpp"
 #include "lab/monitor.hpp"
+#include "lab/snapshot.hpp"
 
 namespace mpm {
 
@@ -22,8 +23,8 @@ struct Simulation {
     std::function<void(double t, double energy)> sample;         // every step: the scene's observer
     std::function<bool(double t)> wants_energy;                  // whether `sample` wants the energy at t
     std::function<std::vector<double>(double t)> watch;          // the scene's own history columns
-    std::function<void(const std::string& path)> write_particles;
-    std::function<void(const std::string& path)> write_nodes;
+    std::function<Snapshot()> particles;
+    std::function<GridSnapshot()> nodes;
     std::function<void()> keep;                                  // remember this state as good
     std::function<void()> restore;                               // go back to the last good state
 };
@@ -33,6 +34,7 @@ struct RunPlan {
     double cfl = 0;                              // > 0: dt = cfl h/(c + |v|) afresh every step (review 2.7)
     long steps = 0;                              // whole steps of dt to t_end; an estimate with `cfl`
     int records = 1000, frames = 0;
+    SnapshotFormat particles{}, nodes{};         // files of snapshots
     bool stop_on_trouble = true;
     std::string folder;                          // where history and snapshots go
     std::vector<std::string> columns;            // names of `watch`
@@ -50,7 +52,8 @@ struct RunResult {
     double energy_drift = 0;                      // change of energy less work, relative to the energy in play
     double momentum_drift = 0;                    // change of momentum less impulse, relative to the larger of sum m |v| and impulse
     bool interrupted = false;
-    std::vector<Frame> frames;  // snapshots written
+    std::vector<Frame> frames;                    // snapshots written
+    double momentum_in_play = 0;                  // largest sum of m |v| of a record
     std::vector<std::string> files;
     bool ok() const { return !trouble && !interrupted; }
 };

@@ -1,69 +1,50 @@
-/// Snapshots of particles and nodes as CSV.
+/// Snapshots: what particles or nodes tell at one moment, as named columns, and their files: CSV, and legacy VTK for ParaView.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <string>
-#include <type_traits>
+#include <utility>
 #include <vector>
-
-#include "lab/body.hpp"
-#include "lab/record.hpp"
 
 namespace mpm {
 
-/// None, for snapshots.
-struct NoRigidBodies {};
+/// Names of columns and their values, row after row. `body` is a row's body; `x`, `y` are places, `vx`, `vy` (in 1D `v`) velocities,
+/// `sxx`, `syy`, `sxy`, `szz` (in 1D `sigma`) stresses; all others are scalars.
+struct Snapshot {
+    std::vector<std::string> columns;
+    std::vector<double> values{};
 
-/// Position, velocity, stress and volume of every particle of the bodies (pointers to Matter), in the order of numbers. Particles {x, v} of rigid bodies follow as bodies of
-/// their own, without stress and volume.
-template <int D, class Bodies, class RigidBodies = NoRigidBodies>
-void write_particles(const std::string& path, const Bodies& bodies, const RigidBodies& rigid = {}) {
-    CsvFile file(path, D == 1 ? std::vector<std::string>{"body", "x", "v", "F", "sigma", "V"}
-                              : std::vector<std::string>{"body", "x", "y", "vx", "vy", "sxx", "syy", "sxy", "J", "V"});
-    double number = 0;
-    std::vector<double> row;
-    for (const auto& body : bodies) {
-        std::vector<std::size_t> place(body->points.size());  // of each number
-        for (std::size_t i = 0; i < place.size(); ++i) place[body->number(i)] = i;
-        for (const std::size_t i : place) {
-            const auto& p = body->points[i];
-            if constexpr (D == 1) {
-                const double row[]{number, p.x[0], p.v[0], p.F(0, 0), p.sigma(0, 0), p.V};
-                file.row(row, std::size(row));
-            } else {
-                const double row[]{number, p.x[0], p.x[1], p.v[0], p.v[1], p.sigma(0, 0), p.sigma(1, 1), p.sigma(0, 1), p.V / p.V0, p.V};
-                file.row(row, std::size(row));
-            }
-        }
-        ++number;
-    }
-    if constexpr (D == 2 && !std::is_same_v<RigidBodies, NoRigidBodies>)
-        for (const auto& body : rigid) {
-            for (const auto& p : body) {
-                const double row[]{number, p.x[0], p.x[1], p.v[0], p.v[1], 0, 0, 0, 1, 0};
-                file.row(row, std::size(row));
-            }
-            ++number;
-        }
-}
+    std::size_t rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
+    double at(std::size_t row, std::size_t column) const { return values[row * columns.size() + column]; }
+    /// Number of a column, or columns.size() if there is none of this name.
+    std::size_t find(const std::string& column) const;
+    template <std::size_t N> void add(const std::array<double, N>& row) { values.insert(values.end(), row.begin(), row.end()); }
+};
 
-/// Position, mass and momentum of every node.
-template <int D, class Bodies> void write_nodes(const std::string& path, const Bodies& bodies) {
-    CsvFile file(path, D == 1 ? std::vector<std::string>{"body", "x", "m", "mv"} : std::vector<std::string>{"body", "x", "y", "m", "mvx", "mvy"});
-    double number = 0;
-    for (const auto& body : bodies) {
-        for (int I = 0; I < body->grid.size(); ++I) {
-            const auto& node = body->grid[I];
-            const Vec<D> x = body->grid.lattice().position(I);
-            if constexpr (D == 1) {
-                const double row[]{number, x[0], node.m, node.mv_new[0]};
-                file.row(row, std::size(row));
-            } else {
-                const double row[]{number, x[0], x[1], node.m, node.mv_new[0], node.mv_new[1]};
-                file.row(row, std::size(row));
-            }
-        }
-        ++number;
-    }
-}
+/// The nodes of all bodies, body after body, on one lattice.
+struct GridSnapshot : Snapshot {
+    std::array<int, 2> nodes{1, 1};                 // along each axis
+    std::array<double, 2> origin{}, spacing{1, 1};  // [length]
+};
+
+/// What snapshots are written as.
+struct SnapshotFormat {
+    bool csv = true, vtk = false;
+};
+
+/// Throws FileTrouble, as all below do.
+void write_csv(const std::string& path, const Snapshot& snapshot);
+
+/// Legacy VTK 3.0, binary: the particles as POLYDATA of vertices, with the vector v, the tensor sigma and all other columns as scalars.
+/// `title` becomes one line of at most 255 characters.
+void write_vtk(const std::string& path, const std::string& title, const Snapshot& particles);
+/// The same with triangles between the particles instead of vertices.
+void write_vtk(const std::string& path, const std::string& title, const Snapshot& particles,
+               const std::vector<std::array<std::size_t, 3>>& triangles);
+/// STRUCTURED_POINTS with mass m and velocity v of each body's nodes (m_0, v_0, m_1, ... if there are several), v = 0 where no mass is.
+void write_vtk(const std::string& path, const std::string& title, const GridSnapshot& nodes);
+
+/// name.vtk.series: the files in time, which ParaView opens as one.
+void write_vtk_series(const std::string& path, const std::vector<std::pair<std::string, double>>& files);
 
 }  // namespace mpm

@@ -92,6 +92,14 @@ for cells in 25 50 100; do
     run steel-disk-$cells steel_disk --cells $cells --records 400 --frames $frames
 done
 
+# Two disks: snapshots around the contact, energies with the review's time step, contact under refinement.
+run disks-snapshots two_disks --cells 40 --frames 18
+for shape in hat cubic; do
+    for scheme in usl usf musl; do run disks-$scheme-$shape two_disks --scheme $scheme --shape $shape --dt 1e-3 --records 700; done
+    cells=20,40,80; [ $shape = hat ] && cells=20,40,80,160
+    run disks-contact-$shape two_disks --shape $shape --cells $cells --cfl 0.2 --t-end 1.65 --records 100
+done
+
 # Variants side by side: error against run time of the segment, largest stable steps and stiff cases of the bar.
 segment() { printf ' -- mms_segment --G 0.05 --ppc 2 --repeat 5 %s' "$*"; }
 echo "comparing variants of mms_segment"

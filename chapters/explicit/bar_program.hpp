@@ -18,7 +18,7 @@ int bar_program(const std::string& program, const std::string& purpose, Scheme& 
         TransferChoice choice;
         bar.declare(options);
         choice.declare(options);
-        common.declare(options, Shapes::names(), bar.default_t_end());
+        common.declare(options, Shapes::names(), bar.default_t_end(), traits_of(bar));
         if (declare) declare(options);
         options.parse(argc, argv);
         if (answered(options, program)) return 0;

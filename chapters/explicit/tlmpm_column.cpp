@@ -16,7 +16,7 @@ void declare(Options& options, ColumnSettings& s) {
     options.choice("stress", s.scheme.stress, {"musl", "usl"}, "velocities of the stress update: mapped twice (musl) or not (usl)");
     options.choice("position", s.position, {"grid", "particle"},
                    "what moves particles: the grid's velocity, or their own as in the report's line 29");
-    s.common.declare(options, ColumnShapes::names(), s.common.t_end);
+    s.common.declare(options, ColumnShapes::names(), s.common.t_end, {.period = true});
 }
 
 /// What the options, each by itself allowed, cannot do together. Throws BadInput.

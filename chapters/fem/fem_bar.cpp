@@ -32,7 +32,7 @@ int run(int argc, char** argv) {
     options.choice("formulation", formulation, {"total", "updated"},
                    "configuration of gradients and stresses: the initial one or the moved mesh");
     options.integer("gauss", gauss, "-", between(1, 3), "Gauss points per element; masses are lumped by their row sums");
-    common.declare(options, ElementShapes::names(), bar.default_t_end());
+    common.declare(options, ElementShapes::names(), bar.default_t_end(), traits_of(bar));
     options.contradict("gauss", "ppc");
     options.parse(argc, argv);
     if (answered(options, program)) return 0;

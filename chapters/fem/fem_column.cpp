@@ -27,7 +27,7 @@ void read(Options& options, ColumnCase& column, Common& common, const std::strin
     set_defaults(common, column);
     column.which = ColumnCase().which;
     column.declare(options);
-    common.declare(options, ElementShapes::names(), common.t_end);
+    common.declare(options, ElementShapes::names(), common.t_end, {.period = true});
     options.parse(argc, argv);
     column.name_case();
 }

@@ -21,6 +21,9 @@ struct Hooke {
         p.sigma = P * p.F.transpose() / p.F.determinant();
     }
 
+    /// Stress across the plane, P33/J with F33 = 1.
+    template <class Point> double sigma_zz(const Point& p) const { return lambda * (p.F.trace() - Point::D) / p.F.determinant(); }
+
     /// Stored energy of a particle, V0 [lambda/2 tr(e)^2 + mu e:e].
     template <class Point> double energy(const Point& p) const {
         constexpr int D = Point::D;

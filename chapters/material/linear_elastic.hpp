@@ -19,6 +19,9 @@ struct LinearElastic {
         p.sigma += lambda * de.trace() * identity<D>() + 2 * mu * de;
     }
 
+    /// Stress across the plane, of which the plane strain's trace is tr(sigma)/(2 (lambda + mu)).
+    template <class Point> double sigma_zz(const Point& p) const { return lambda / (2 * (lambda + mu)) * p.sigma.trace(); }
+
     /// Stored energy of a particle, V/2 sigma:eps (6.5), with the strain that belongs to sigma.
     template <class Point> double energy(const Point& p) const {
         constexpr int D = Point::D;

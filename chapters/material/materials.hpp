@@ -31,21 +31,24 @@ template <class One> struct Materials {
     template <class Point, class Gradient> void update(Point& p, const Gradient& L, double dt) const { law(p).update(p, L, dt); }
     template <class Point> double energy(const Point& p) const { return law(p).energy(p); }
     template <class Point>
+        requires requires(const One& one, const Point& p) { one.sigma_zz(p); }
+    double sigma_zz(const Point& p) const {
+        return law(p).sigma_zz(p);
+    }
+    template <class Point>
         requires requires(const One& one, const Point& p) { one.dissipated(p); }
     double dissipated(const Point& p) const {
         return law(p).dissipated(p);
     }
 
-    /// Further columns of snapshots: the material, and what its law shows.
+    /// Further columns of snapshots: those of its laws.
     static constexpr auto columns = [] {
-        std::array<const char*, 1 + own> all{"material"};
-        if constexpr (own > 0) std::copy(One::columns.begin(), One::columns.end(), all.begin() + 1);
-        return all;
+        if constexpr (own > 0) return One::columns;
+        else return std::array<const char*, 0>{};
     }();
-    template <class Point> std::array<double, 1 + own> values(const Point& p) const {
-        std::array<double, 1 + own> all{static_cast<double>(p.material)};
-        if constexpr (own > 0) std::ranges::copy(law(p).values(p), all.begin() + 1);
-        return all;
+    template <class Point> std::array<double, own> values(const Point& p) const {
+        if constexpr (own > 0) return law(p).values(p);
+        else return {};
     }
 };
 

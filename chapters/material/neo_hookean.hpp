@@ -19,6 +19,12 @@ struct NeoHookean {
         p.sigma = (mu * (p.F * p.F.transpose() - identity<D>()) + lambda * std::log(J) * identity<D>()) / J;
     }
 
+    /// Stress across the plane, where F33 = 1.
+    template <class Point> double sigma_zz(const Point& p) const {
+        const double J = p.F.determinant();
+        return lambda * std::log(J) / J;
+    }
+
     /// Stored energy of a particle, V0 [mu/2 (tr F F^T - D) - mu ln J + lambda/2 (ln J)^2], whose derivative is (B.6).
     template <class Point> double energy(const Point& p) const {
         const double lnJ = std::log(p.F.determinant());

@@ -5,6 +5,10 @@
 
 namespace mpm {
 
+namespace detail {
+template <class Law, class Point> concept TellsAcross = requires(const Law& law, const Point& p) { law.sigma_zz(p); };
+}
+
 /// One of several laws without history. Every particle takes the same branch, which costs less than a nanosecond; a program that has
 /// one law names it as a type.
 template <class... Laws> class OneOf {
@@ -24,6 +28,11 @@ public:
     }
     template <class Point> double energy(const Point& p) const {
         return std::visit([&](const auto& law) { return law.energy(p); }, chosen_);
+    }
+    template <class Point>
+        requires(detail::TellsAcross<Laws, Point> && ...)
+    double sigma_zz(const Point& p) const {
+        return std::visit([&](const auto& law) { return law.sigma_zz(p); }, chosen_);
     }
 
 private:

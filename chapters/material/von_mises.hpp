@@ -24,7 +24,7 @@ enum class StressRate {
 /// Trial stress += lambda tr(D dt) I + 2 mu D dt, its deviator scaled back to |s| = sqrt(2/3) (yield + H eps_p) where it is longer.
 template <StressRate rate> struct VonMisesWith {
     static constexpr const char* name = "von-mises";
-    static constexpr std::array<const char*, 2> columns{"eps_p", "mises"};  // of snapshots
+    static constexpr std::array<const char*, 1> columns{"eps_p"};  // of snapshots
     template <class Base> struct PointOf : Base {
         double sigma33 = 0;       // stress across the plane; in 1D that across the bar, sigma22 = sigma33
         double eps_p = 0;         // equivalent plastic strain [-]
@@ -59,7 +59,8 @@ template <StressRate rate> struct VonMisesWith {
 
     /// The von Mises stress sqrt(3/2) |s|.
     template <class Point> double mises(const Point& p) const { return std::sqrt(1.5) * deviator(p); }
-    template <class Point> std::array<double, 2> values(const Point& p) const { return {p.eps_p, mises(p)}; }
+    template <class Point> std::array<double, 1> values(const Point& p) const { return {p.eps_p}; }
+    template <class Point> double sigma_zz(const Point& p) const { return p.sigma33; }
 
 private:
     /// R of A = R U.

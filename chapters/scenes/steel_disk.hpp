@@ -12,6 +12,7 @@
 
 #include "chapters/material/materials.hpp"
 #include "chapters/material/von_mises.hpp"
+#include "lab/figure.hpp"
 #include "lab/fill.hpp"
 #include "lab/norms.hpp"
 #include "lab/options.hpp"
@@ -80,6 +81,7 @@ struct SteelDisk : ImpactSettings {
     }
     double wave_speed() const { return law().wave_speed(); }
     double speed() const { return v0; }
+    Animated animated() const { return {"x", "y", "eps_p", "x [m]", "y [m]", "equivalent plastic strain"}; }
 
     double spacing(int cells, int ppc) const { return width / cells / ppc; }
     int rows(int cells, int ppc) const { return static_cast<int>(std::floor(height / spacing(cells, ppc) + 0.5)); }

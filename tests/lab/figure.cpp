@@ -124,45 +124,4 @@ TEST_F(Figure, AMissingGnuplotIsAReason) {
     EXPECT_TRUE(holds(said, "no picture: gnuplot is not installed")) << said;
 }
 
-class Animation : public Figure {
-protected:
-    void snapshot(const std::string& number, double shift) {
-        mpm::CsvFile csv(folder + "/particles_" + number + ".csv", {"body", "x", "y", "v", "J"});
-        for (int i = 0; i < 4; ++i) csv.row(std::vector<double>{0, i + shift, i * 0.5, i - shift, 1.0}.data(), 5);
-    }
-    /// Pictures in a gif: its graphic control extensions.
-    static int pictures(const std::string& path) {
-        const std::string gif = content(path), mark("\x21\xf9\x04", 3);
-        int n = 0;
-        for (std::size_t at = gif.find(mark); at != std::string::npos; at = gif.find(mark, at + 1)) ++n;
-        return n;
-    }
-};
-
-TEST_F(Animation, ListsItsFrames) {
-    const auto files = mpm::write_animation(folder, "move", "a bar", {}, {{0, 0}, {3, 0.25}, {12345, 1.5}});
-    EXPECT_EQ(files, (std::vector<std::string>{folder + "/frames.csv", folder + "/move.gp"}));
-    EXPECT_EQ(content(files[0]), "frame,t,file\n0,0,particles_0000.csv\n3,0.25,particles_0003.csv\n12345,1.5,particles_12345.csv\n");
-}
-TEST_F(Animation, HasOnePictureForEachFrame) {
-    if (!have_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
-    snapshot("0000", 0), snapshot("0002", 0.5), snapshot("0003", 1);
-    mpm::write_animation(folder, "line", "a bar's motion", {}, {{0, 0}, {2, 0.25}, {3, 1}});
-    EXPECT_EQ(mpm::draw_figure(folder, "line", "gif", why), folder + "/line.gif") << why;
-    EXPECT_EQ(pictures(folder + "/line.gif"), 3);
-}
-TEST_F(Animation, ColoursPointsByAColumnEvenAConstantOne) {
-    if (!have_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
-    snapshot("0000", 0), snapshot("0001", 0.5);
-    mpm::write_animation(folder, "plane", "a disk", {"x", "y", "J", "x", "y", "J"}, {{0, 0}, {1, 0.25}});
-    EXPECT_NE(mpm::draw_figure(folder, "plane", "gif", why), "") << why;
-    EXPECT_EQ(pictures(folder + "/plane.gif"), 2);
-}
-TEST_F(Animation, AMissingSnapshotIsAReason) {
-    if (!have_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
-    snapshot("0000", 0);
-    mpm::write_animation(folder, "line", "a bar", {}, {{0, 0}, {1, 0.25}});
-    EXPECT_EQ(mpm::draw_figure(folder, "line", "gif", why), "");
-}
-
 }  // namespace

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "lab/order.hpp"
+#include "lab/columns.hpp"
 #include "lab/snapshot.hpp"
 #include "tests/chapters/explicit/problem.hpp"
 
@@ -118,8 +119,11 @@ TEST(CellOrder, SnapshotsAndTroubleAreTheSame) {
     auto& body = sorted.bodies[0];
     body.order.sort(body);
     const std::string folder = testing::TempDir();
-    write_particles<2>(folder + "plain.csv", std::vector{&plain.bodies[0]});
-    write_particles<2>(folder + "sorted.csv", std::vector{&body});
+    using Bodies = std::remove_cvref_t<decltype(body)>;
+    using Substance = Matter<2, Bodies::Point, Bodies::Node, Bodies::Law>;
+    const auto of = [](Substance& one) { return particles_of<2>(std::vector<Substance*>{&one}); };
+    write_csv(folder + "plain.csv", of(plain.bodies[0]));
+    write_csv(folder + "sorted.csv", of(body));
     EXPECT_EQ(text(folder + "plain.csv"), text(folder + "sorted.csv"));
     const auto fastest = [](const auto& one) { return fastest_particle(std::array{&one}); };
     EXPECT_EQ(fastest(plain.bodies[0]), fastest(body));

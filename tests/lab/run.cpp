@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -34,7 +35,8 @@ struct Run : testing::Test {
         sim.sample = [](double, double) {};
         sim.wants_energy = [](double) { return false; };
         sim.watch = [](double) { return std::vector<double>{}; };
-        sim.write_particles = sim.write_nodes = [](const std::string& path) { std::ofstream(path) << "x\n"; };
+        sim.particles = [] { return Snapshot{{"x"}, {0.5, 1.5}}; };
+        sim.nodes = [] { return GridSnapshot{{{"body", "x", "m", "mv"}, {0, 0, 1, 2, 0, 1, 0, 0}}, {2, 1}, {}, {1, 1}}; };
         sim.keep = [this] { ++kept; };
         sim.restore = [this] { ++restored; };
     }
@@ -63,6 +65,21 @@ TEST_F(Run, StepsAfreshEndExactlyAtTheEnd) {
     EXPECT_EQ(r.t, 1);
     EXPECT_NEAR(times[0], 0.15, 1e-15);
     EXPECT_NEAR(times[1], 0.15 + 0.135, 1e-15);
+}
+
+TEST_F(Run, WritesSnapshotsInTheFormatsThatAreAskedFor) {
+    plan.frames = 2;
+    plan.particles = {true, true};
+    plan.nodes = {false, true};
+    const RunResult r = run(sim, plan);
+    const auto has = [&](const char* name) { return std::filesystem::exists(plan.folder + "/" + name); };
+    for (const char* name : {"particles_0000.csv", "particles_0001.vtk", "particles_0002.csv", "nodes_0000.vtk", "nodes_0002.vtk"})
+        EXPECT_TRUE(has(name)) << name;
+    EXPECT_FALSE(has("nodes_0000.csv"));
+    for (const char* name : {"particles.vtk.series", "nodes.vtk.series"}) {
+        EXPECT_TRUE(has(name));
+        EXPECT_NE(std::find(r.files.begin(), r.files.end(), plan.folder + "/" + name), r.files.end());
+    }
 }
 
 TEST_F(Run, AVanishingStepIsNamed) {

@@ -267,21 +267,19 @@ TEST(VonMises, MeanStressIsThatOfTheVolume) {  // K ln J with tr ln U = ln J
     EXPECT_NEAR((p.sigma.trace() + p.sigma33) / 3 / (K * std::log(p.V)), 1, 1e-4);  // (U - I)^2/12 with strains of 0.01 a step
 }
 
-TEST(Materials, ShowTheirNumberAndWhatTheirLawShows) {
+TEST(Materials, ShowWhatTheLawOfTheParticleShows) {
     using Two = Materials<VonMises>;
-    static_assert(Two::columns.size() == 3 && Materials<LinearElastic>::columns.size() == 1);
+    static_assert(Two::columns.size() == 1 && Materials<LinearElastic>::columns.empty());
     const Two laws{{VonMises{lambda, mu, 1}, metal<VonMises>()}};
     auto p = unit_point<2, Two>();
     p.material = 1;
     for (int k = 0; k < 10; ++k) laws.update(p, shear(1e-3), 1);
-    const std::array<double, 3> shown = laws.values(p);
-    EXPECT_EQ(shown[0], 1);
-    EXPECT_EQ(shown[1], p.eps_p);
-    EXPECT_NEAR(shown[2], yield, 1e-14);
+    EXPECT_GT(p.eps_p, 0);
+    EXPECT_EQ(laws.values(p)[0], p.eps_p);
+    EXPECT_EQ(laws.sigma_zz(p), p.sigma33);
     p = unit_point<2, Two>();  // the first one is elastic
     for (int k = 0; k < 10; ++k) laws.update(p, shear(1e-3), 1);
-    EXPECT_EQ(laws.values(p)[1], 0);
-    EXPECT_GT(laws.values(p)[2], 5 * yield);
+    EXPECT_EQ(laws.values(p)[0], 0);
 }
 
 }  // namespace
