@@ -40,7 +40,7 @@ int run(int argc, char** argv) {
                    "of --scheme tlmpm: velocities of the stress update mapped twice (musl) or not (usl)");
     s.scene.declare(options);
     s.transfer.declare(options);
-    s.common.declare(options, AllShapes::names(), s.scene.period(), traits_of(Square<true>{}));
+    s.common.declare(options, AllShapes::names(), s.scene.period(), traits_of(Square<true>(s.scene)));
     s.common.declare_threads(options);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;

@@ -6,10 +6,10 @@
 
 #include "chapters/material/neo_hookean.hpp"
 #include "chapters/mms/body_force.hpp"
-#include "chapters/mms/cell_points.hpp"
 #include "chapters/mms/motion.hpp"
 #include "chapters/mms/observer.hpp"
 #include "lab/boundary.hpp"
+#include "lab/fill.hpp"
 #include "lab/options.hpp"
 
 namespace mpm {
@@ -92,10 +92,10 @@ template <bool TotalLagrangian> struct Square : SquareCase {
 
     template <class Point> std::vector<Point> particles(int cells, int ppc) const {
         std::vector<Point> all;
-        for_each_cell_point(lattice(cells, 1), cell_rule(placing, ppc), [&](const Vec<2>& X, const Box& box) {
+        each_point({Vec<2>::Zero(), Vec<2>::Ones()}, lattice(cells, 1), cell_rule(placing, ppc), [&](const Vec<2>& X, const Bounds& box) {
             Point& p = all.emplace_back();
             p.X = p.x = X;
-            p.V = p.V0 = box.volume();
+            p.V = p.V0 = (box.high - box.low).prod();
             p.m = rho * p.V;
             p.v = v(X, 0);
         });

@@ -9,10 +9,11 @@
 
 #include "chapters/material/neo_hookean.hpp"
 #include "chapters/mms/body_force.hpp"
-#include "chapters/mms/cell_points.hpp"
 #include "chapters/mms/observer.hpp"
+#include "chapters/mms/ring_cut.hpp"
 #include "chapters/mms/vortex_motion.hpp"
 #include "lab/boundary.hpp"
+#include "lab/fill.hpp"
 #include "lab/options.hpp"
 
 namespace mpm {
@@ -79,12 +80,12 @@ template <bool TotalLagrangian> struct Vortex : VortexCase {
 
     template <class Point> std::vector<Point> particles(int cells, int ppc) const {
         std::vector<Point> all;
-        for_each_cell_point(lattice(cells, 1), cell_rule(placing, ppc), [&](const Vec<2>& X, const Box& box) {
+        each_point({}, lattice(cells, 1), cell_rule(placing, ppc), [&](const Vec<2>& X, const Bounds& box) {
             const CutBox left = cut == "whole" ? CutBox{inside(X) ? 1.0 : 0.0, X} : cut_by_ring(box, R_i, R_o);
             if (left.part == 0) return;
             Point& p = all.emplace_back();
             p.X = p.x = left.part < 1 ? left.middle : X;
-            p.V = p.V0 = left.part * box.volume();
+            p.V = p.V0 = left.part * (box.high - box.low).prod();
             p.m = rho * p.V;
             p.v = v(p.X, 0);
         });
