@@ -80,7 +80,23 @@ Triangles taken_from(const Triangulation& triangulation) {
     return mesh;
 }
 
+void mark_domain(const Triangulation& triangulation) {
+    Faces outside, inside;
+    std::vector<Face> starts, none;
+    flood(triangulation, triangulation.infinite_face(), outside, starts);
+    for (const Face face : starts)
+        if (outside.count(face) == 0) flood(triangulation, face, inside, none);
+    for (const Face face : inside) face->set_in_domain(true);
+}
+
 }  // namespace
+
+Triangles triangulate(const Polygon& domain) {
+    Triangulation triangulation;
+    for (const Outline& outline : domain.outlines()) add(outline, triangulation);
+    mark_domain(triangulation);
+    return taken_from(triangulation);
+}
 
 Triangles refine(const Polygon& domain, double size, double min_angle, int most) {
     if (!(size > 0) || !std::isfinite(size)) throw BadInput("mesh: size = " + number_text(size) + ": allowed > 0");

@@ -1,5 +1,5 @@
-/// fill_demo: particles at the points of grid cells, of a triangle mesh and of an image (review 4.1, figures 33 to 36), and how well their
-/// mass keeps area times density. Links CGAL's GPL packages (lab/mesh.hpp).
+/// fill_demo: particles at the points of grid cells, of a triangle mesh, of Voronoi cells and of an image (review 4.1, figures 33 to 36;
+/// 3.6.6), and how well their mass keeps area times density. Links CGAL's GPL packages (lab/mesh.hpp).
 ///   ./fill_demo --case mesh --size 0.1 --plot png
 #include <cmath>
 #include <cstdio>
@@ -44,10 +44,11 @@ constexpr const char* program = "fill_demo";
 constexpr const char* purpose = "particles of regions, meshes and images";
 
 void declare(Options& o, Settings& set) {
-    o.choice("case", set.way, {"cells", "bounds", "mesh", "image"}, "points of cells, of the cells in reach, of triangles, of pixels");
+    o.choice("case", set.way, {"cells", "bounds", "mesh", "voronoi", "image"},
+             "points of cells, of the cells in reach, of triangles, of Voronoi cells, of pixels");
     o.choice("region", set.region, {"disks", "ring", "plate"}, "what is filled (cells)");
     o.text("polygon", set.polygon,
-           "file of a polygon to fill instead: x, y of a corner in each line, holes after an empty line (cells, mesh)");
+           "file of a polygon to fill instead: x, y of a corner in each line, holes after an empty line (cells, mesh, voronoi)");
     o.contradict("polygon", "region");
     o.integers("cells", set.cells, "cells", between(1, 5000), "cells across the region's square (cells)");
     o.integer("ppc", set.ppc, "-", between(1, 100), "points per cell and direction (cells, bounds)");
@@ -57,6 +58,9 @@ void declare(Options& o, Settings& set) {
     o.integer("corners", set.corners, "-", between(3, 1000000), "corners of the disk (mesh)");
     o.number("size", set.size, "length", above(0), "longest edge of a triangle (mesh)");
     o.number("angle", set.angle, "degree", between(0, 20.7), "smallest angle of a triangle (mesh)");
+    o.integer("seeds", set.seeds, "-", between(1, 5000000), "of Voronoi cells (voronoi)");
+    o.integer("iterations", set.iterations, "-", between(0, 1000000), "of Lloyd's method: seeds to centroids (voronoi)");
+    o.integer("start", set.start, "-", between(0, 2147483647), "number of the random places that seeds start from (voronoi)");
     o.text("image", set.image, "PGM, PPM or PNG file; empty: a composite made here (image)");
     o.text("levels", set.levels, "colours of materials 0, 1, ...: grey 0 ... 255 or rrggbb, with commas; empty: 0,255 (image)");
     o.text("background", set.background, "colour of which no particles are made, or none (image)");
@@ -74,12 +78,12 @@ void declare(Options& o, Settings& set) {
 /// Options that another case has, or another choice within this one, are refused by name.
 void check_used(const Settings& set) {
     const Settings standard;
-    const bool cells = set.way == "cells", mesh = set.way == "mesh", image = set.way == "image";
+    const bool cells = set.way == "cells", mesh = set.way == "mesh", image = set.way == "image", voronoi = set.way == "voronoi";
     const auto check = [](const char* name, bool differs, bool used, const char* user) {
         if (differs && !used) throw BadInput(std::string("--") + name + ": only " + user + " uses it");
     };
     check("region", set.region != standard.region, cells, "--case cells");
-    check("polygon", !set.polygon.empty(), cells || mesh, "--case cells or mesh");
+    check("polygon", !set.polygon.empty(), cells || mesh || voronoi, "--case cells, mesh or voronoi");
     check("cells", set.cells != standard.cells, cells, "--case cells");
     check("ppc", set.ppc != standard.ppc, cells || set.way == "bounds", "--case cells or bounds");
     check("weight", set.weight != standard.weight, cells, "--case cells");
@@ -87,6 +91,9 @@ void check_used(const Settings& set) {
     check("corners", set.corners != standard.corners, mesh && set.polygon.empty(), "--case mesh without --polygon");
     check("size", set.size != standard.size, mesh, "--case mesh");
     check("angle", set.angle != standard.angle, mesh, "--case mesh");
+    check("seeds", set.seeds != standard.seeds, voronoi, "--case voronoi");
+    check("iterations", set.iterations != standard.iterations, voronoi, "--case voronoi");
+    check("start", set.start != standard.start, voronoi, "--case voronoi");
     check("image", !set.image.empty(), image, "--case image");
     check("levels", !set.levels.empty(), image && !set.image.empty(), "--case image with --image");
     check("background", set.background != standard.background, image && !set.image.empty(), "--case image with --image");
@@ -98,7 +105,8 @@ void check_used(const Settings& set) {
 Filled fill(const Settings& set, const std::string& folder) {
     if (set.way == "cells") return filling::fill_cells(set, folder);
     if (set.way == "bounds") return filling::fill_bounds(set, folder);
-    return set.way == "mesh" ? filling::fill_mesh(set, folder) : filling::fill_image(set, folder);
+    if (set.way == "mesh") return filling::fill_mesh(set, folder);
+    return set.way == "voronoi" ? filling::fill_voronoi(set, folder) : filling::fill_image(set, folder);
 }
 
 void write_table(const std::string& path, const Filled& filled) {

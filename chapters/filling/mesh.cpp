@@ -9,24 +9,6 @@
 #include "lab/program.hpp"
 
 namespace mpm::filling {
-namespace {
-
-/// Every edge once.
-Segments edges_of(const Triangles& mesh) {
-    std::vector<std::pair<int, int>> edges;
-    for (const auto& c : mesh.corners)
-        for (const auto& [a, b] : {std::pair(c[0], c[1]), std::pair(c[1], c[2]), std::pair(c[2], c[0])})
-            edges.push_back(std::minmax({a, b}));
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    Segments segments;
-    for (const auto& [a, b] : edges)
-        segments.push_back({mesh.points[static_cast<std::size_t>(a)], mesh.points[static_cast<std::size_t>(b)]});
-    return segments;
-}
-
-}  // namespace
-
 Filled fill_mesh(const Settings& set, const std::string& folder) {
     const bool disk = set.polygon.empty();
     const Polygon domain = disk ? Polygon(circle({0.5, 0.5}, 0.5, set.corners)) : read_polygon(set.polygon);

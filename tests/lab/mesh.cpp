@@ -8,6 +8,7 @@
 #include <map>
 
 #include "chapters/explicit/point.hpp"
+#include "tests/lab/tessellation.hpp"
 
 namespace mpm::test {
 namespace {
@@ -71,6 +72,13 @@ TEST(Refine, TakesAHundredThousandCorners) {
     const Triangles mesh = refine(polygon, 2, 0);
     EXPECT_GE(mesh.corners.size(), 100000u - 2);
     EXPECT_NEAR(mesh_area(mesh), polygon.area(), 1e-12 * polygon.area());
+}
+
+TEST(Triangulate, JoinsThePolygonsCorners) {
+    const Triangles mesh = triangulate(frame);
+    EXPECT_EQ(mesh.points.size(), 37u);
+    EXPECT_EQ(mesh.corners.size(), 39u) << "n + 2 (holes - 1)";
+    expect_tessellation(mesh, frame);
 }
 
 std::string refusal(const std::function<void()>& act) {

@@ -87,6 +87,17 @@ TEST_F(FillDemo, KeepsTheMassOfMeshes) {
     }
     EXPECT_NEAR(filled({"--case", "mesh", "--polygon", "frame.txt"}).number(0, "mass_exact"), 4.25, 1e-12);
 }
+TEST_F(FillDemo, KeepsTheMassOfVoronoiCells) {
+    write("frame.txt", "0 0\n3 0\n3 2\n0 1\n\n1 .5\n1 1\n2 1\n");
+    for (const Words& words :
+         {Words{"--case", "voronoi", "--seeds", "40"}, Words{"--case", "voronoi", "--polygon", "frame.txt", "--rho", "7"}}) {
+        const CsvTable table = filled(words);
+        ASSERT_EQ(table.rows.size(), 2u);
+        for (std::size_t i = 0; i < 2; ++i)
+            EXPECT_NEAR(table.number(i, "mass"), table.number(i, "mass_exact"), 1e-12 * table.number(i, "mass_exact"));
+        EXPECT_EQ(static_cast<double>(particles("particles_relaxed.csv").rows.size()), table.number(1, "particles"));
+    }
+}
 TEST_F(FillDemo, ReadsBackTheImagesThatItMakes) {
     const CsvTable table = filled({"--case", "image", "--pixels", "50", "--width", "2"});
     const CsvTable points = particles("particles.csv");
@@ -111,8 +122,8 @@ TEST_F(FillDemo, TagsAUsersGreyImage) {
     EXPECT_EQ(table.text(1, "particles"), "1") << "200; 128 is too far from both";
 }
 TEST_F(FillDemo, IsRepeatedFromItsSettings) {
-    for (const Words& words :
-         {Words{"--case", "image", "--pixels", "20"}, Words{"--case", "mesh", "--size", "0.3", "--corners", "7"}, Words{"--ppc", "3"}}) {
+    for (const Words& words : {Words{"--case", "image", "--pixels", "20"}, Words{"--case", "mesh", "--size", "0.3", "--corners", "7"},
+                               Words{"--case", "voronoi", "--seeds", "30", "--start", "5"}, Words{"--ppc", "3"}}) {
         filled(words);
         const std::string before = folder.read("out/filling.csv"), ini = folder.read("out/run.ini");
         write("again.ini", ini);
@@ -124,9 +135,12 @@ TEST_F(FillDemo, IsRepeatedFromItsSettings) {
 TEST_F(FillDemo, RefusesOptionsOfOtherCases) {
     expect_refused(2, {"--case", "mesh", "--cells", "5"}, {"--cells", "--case cells"});
     expect_refused(2, {"--size", "0.2"}, {"--size", "--case mesh"});
-    expect_refused(2, {"--case", "bounds", "--polygon", "x"}, {"--polygon", "--case cells or mesh"});
+    expect_refused(2, {"--case", "bounds", "--polygon", "x"}, {"--polygon", "--case cells, mesh or voronoi"});
     expect_refused(2, {"--samples", "4"}, {"--samples", "--weight share"});
     expect_refused(2, {"--case", "image", "--levels", "0,1"}, {"--levels", "--image"});
+    expect_refused(2, {"--case", "mesh", "--seeds", "5"}, {"--seeds", "--case voronoi"});
+    expect_refused(2, {"--case", "voronoi", "--size", "0.2"}, {"--size", "--case mesh"});
+    expect_refused(2, {"--case", "voronoi", "--seeds", "0"}, {"--seeds = 0", "1 ... 5e+06"});
     expect_refused(2, {"--case", "image", "--ppc", "3"}, {"--ppc", "--case cells or bounds"});
     expect_refused(2, {"--case", "mesh", "--angle", "30"}, {"--angle = 30", "0 ... 20.7"});
     expect_refused(2, {"--case", "mesh", "--size", "1e-9"}, {"mesh: size = 1e-09 needs more than 5000000 triangles"});
