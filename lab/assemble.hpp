@@ -50,6 +50,7 @@ template <class Scene, class Matter> struct Problem {
     bool watches_nodes = false;
     double cutoff = 0;  // the scheme's, if it has one [mass]
     std::function<Mapping(std::size_t body)> mapping;  // of the weighting function, for --smooth
+    std::function<Trouble()> shapes_trouble;           // of weighting functions that can fail, e.g. with domains
     typename Scene::Observer observer;
 
     AllPoints<Matter> points() const { return AllPoints<Matter>(bodies); }
@@ -74,6 +75,8 @@ template <class Scene, class Matter> struct Problem {
     Trouble inspect() {
         for (std::size_t b = 0; b < coverage.size(); ++b)
             if (Trouble gap = coverage[b].check(*bodies[b])) return gap;
+        if (shapes_trouble)
+            if (Trouble trouble = shapes_trouble()) return trouble;
         return watches_overlap ? check_overlap<D>(bodies) : Trouble{};
     }
     double critical_dt() const {
@@ -218,9 +221,19 @@ template <class Shape, class Scheme, class Scene, class Transfer, class MakeShap
     for (OneBody& body : moved->bodies) body.grid.use_threads(common.threads);
     if constexpr (!goes_by_corners<Shape>)
         if (common.smooth) problem->mapping = [moved](std::size_t b) { return mapping_of(moved->bodies[b].shape, moved->bodies[b].points); };
+    if constexpr (requires(const OneBody& body) { body.shape.trouble(body); })
+        problem->shapes_trouble = [moved] {
+            for (const OneBody& body : moved->bodies)
+                if (Trouble trouble = body.shape.trouble(body)) return trouble;
+            return Trouble{};
+        };
     Combination combination{facts, Scheme::name, transfer.name, Shape::total_lagrangian, 0};
     if constexpr (requires { scheme.cutoff; }) combination.cutoff = scheme.cutoff;
     Assembled a = watched_and_reported(problem, combination, cells, common);
+    if constexpr (goes_by_corners<Shape> && D == 2) {
+        a.simulation.domains = [moved] { return domains_of(moved->bodies); };
+        a.animated.domains = true;
+    }
     a.simulation.step = [moved, problem](double t, double dt) {
         if constexpr (may_reorder<OneBody, Scene>)
             for (OneBody& body : moved->bodies)

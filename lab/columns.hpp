@@ -178,6 +178,25 @@ Snapshot particles_of(const std::vector<Matter*>& bodies, const std::function<Ma
     return s;
 }
 
+/// The corners of the particles' domains, row after row with the columns of their particle; `particle` counts over all bodies.
+template <class Body> Snapshot domains_of(const std::vector<Body>& bodies) {
+    constexpr auto columns = detail::joined(Names<1>{"particle"}, particle_columns<2, typename Body::Point, typename Body::Law>());
+    Snapshot s{{columns.begin(), columns.end()}};
+    const std::size_t x = s.find("x"), y = s.find("y");
+    double body_number = 0, number = 0;
+    for (const Body& body : bodies) {
+        for (std::size_t i = 0; i < body.points.size(); ++i, ++number) {
+            auto row = detail::joined(std::array<double, 1>{number}, particle_row<2>(body_number, body.law, body.points[i]));
+            for (const Vec<2>& corner : body.shape.corners_of(i)) {
+                row[x] = corner[0], row[y] = corner[1];
+                s.add(row);
+            }
+        }
+        ++body_number;
+    }
+    return s;
+}
+
 /// Position, mass and momentum of every node.
 template <int D, class Matter> GridSnapshot nodes_of(const std::vector<Matter*>& bodies) {
     constexpr auto columns = [] {

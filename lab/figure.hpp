@@ -33,6 +33,7 @@ std::string write_drawing(const std::string& folder, const std::string& name, in
 struct Animated {
     std::string x = "x", y = "v", colour = {};
     std::string x_label = "x [length]", y_label = "v [length/time]", colour_label = {};
+    bool domains = false;  // particles have domains, which are drawn instead of squares
 };
 struct Frame {
     long number;

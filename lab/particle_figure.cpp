@@ -40,10 +40,15 @@ void ranges(std::ostream& s, const Animated& a) {
 
 /// The plot of snapshot i.
 std::string particles(const Animated& a) {
+    if (a.domains)
+        return "splot 'domains'.F[i][10:*] using " + column(a.x) + ":" + column(a.y) + ":" + column(a.colour) + " with polygons fc palette\n";
     const std::string half = "(0.515 * sqrt(abs(column('V'))))";  // squares that fill the body's area and hide the seams
     return "plot F[i] using " + column(a.x) + ":" + column(a.y) + ":" + half + ":" + half + ":" + column(a.colour) +
            " with boxxyerror fs solid noborder lc palette\n";
 }
+
+/// Domains seen from above, their height the colour.
+constexpr const char* polygon_style = "set view map\nset pm3d border lc rgb '#404040' lw 0.3\nset style fill solid border lc rgb '#404040'\n";
 
 /// Panels of equal axes in pixels: in a row or, where the particles lie far wider than high, one below the other.
 constexpr const char* layout = R"(# Sizes in pixels: each panel, what is around all of them, what is between them.
@@ -128,6 +133,7 @@ std::vector<std::string> write_animation(const std::string& folder, const std::s
             s << "set size ratio -1\n";
             s << colour_scale(a.colour, a.colour_label);
         }
+        if (a.domains) s << polygon_style;
         s << "do for [i = 1:n] {\n    set title " << in_gnuplot(title) << ".sprintf(\"\\nt = %.4g\", T[i]) noenhanced\n    "
           << (coloured ? particles(a)
                        : "plot F[i] using " + column(a.x) + ":" + column(a.y) + " with linespoints pt 7 ps 0.7 lw 2 lc rgb '#c03030'\n")
@@ -150,6 +156,7 @@ std::string write_particle_figure(const std::string& folder, const std::string& 
           << "\nset xlabel x_label offset 0,0.4\nset ylabel " << label(a.y_label) << " offset 1.5,0\n"
           << "unset key\nset grid lc rgb '#dddddd' lt 1 lw 1\n";
         s << colour_scale(a.colour, a.colour_label);
+        if (a.domains) s << polygon_style;
         s << "set multiplot title " << label(title, true) << " noenhanced\n" << panels << "    " << particles(a) << "}\nunset multiplot\n";
     });
 }

@@ -143,6 +143,7 @@ private:
         std::snprintf(digits, sizeof digits, "_%04ld", number);
         write(sim_.particles(), plan_.particles, std::string("particles") + digits);
         write(sim_.nodes(), plan_.nodes, std::string("nodes") + digits);
+        if (sim_.domains && plan_.particles.csv) write_polygons(plan_.folder + "/domains" + digits + ".csv", sim_.domains());
         if (plan_.particles.vtk) vtk_frames_.emplace_back(digits, t_);
     }
 

@@ -25,6 +25,7 @@ struct Simulation {
     std::function<std::vector<double>(double t)> watch;          // the scene's own history columns
     std::function<Snapshot()> particles;
     std::function<GridSnapshot()> nodes;
+    std::function<Snapshot()> domains;                           // corners of the particles' domains; empty if they have none
     std::function<void()> keep;                                  // remember this state as good
     std::function<void()> restore;                               // go back to the last good state
 };

@@ -85,16 +85,22 @@ std::size_t Snapshot::find(const std::string& column) const {
     return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin());
 }
 
-void write_csv(const std::string& path, const Snapshot& s) {
+namespace {
+std::string csv_text(const Snapshot& s, bool parted) {
     std::string text;
     for (std::size_t c = 0; c < s.columns.size(); ++c) text.append(c > 0 ? "," : "").append(csv_field(s.columns[c]));
     text += '\n';
-    for (std::size_t i = 0; i < s.values.size(); ++i) {
-        text += number_text(s.values[i]);
-        text += (i + 1) % s.columns.size() == 0 ? '\n' : ',';
+    for (std::size_t row = 0; row < s.rows(); ++row) {
+        if (parted && row > 0 && s.at(row, 0) != s.at(row - 1, 0)) text += '\n';
+        for (std::size_t c = 0; c < s.columns.size(); ++c) text.append(c > 0 ? "," : "").append(number_text(s.at(row, c)));
+        text += '\n';
     }
-    write_file(path, text);
+    return text;
 }
+}  // namespace
+
+void write_csv(const std::string& path, const Snapshot& snapshot) { write_file(path, csv_text(snapshot, false)); }
+void write_polygons(const std::string& path, const Snapshot& corners) { write_file(path, csv_text(corners, true)); }
 
 void write_vtk(const std::string& path, const std::string& title, const Snapshot& s) {
     std::string out = head(title, "POLYDATA") + points(s);

@@ -34,6 +34,8 @@ struct SnapshotFormat {
 
 /// Throws FileTrouble, as all below do.
 void write_csv(const std::string& path, const Snapshot& snapshot);
+/// Corners of polygons as CSV with an empty line between polygons, as gnuplot asks; the first column tells the polygons apart.
+void write_polygons(const std::string& path, const Snapshot& corners);
 
 /// Legacy VTK 3.0, binary: the particles as POLYDATA of vertices, with the vector v, the tensor sigma and all other columns as scalars.
 /// `title` becomes one line of at most 255 characters.

@@ -7,6 +7,7 @@
 
 #include "chapters/cpdi/corners.hpp"
 #include "chapters/cpdi/domain.hpp"
+#include "chapters/cpdi/watch.hpp"
 
 namespace mpm {
 
@@ -45,6 +46,13 @@ public:
     void follow(Body& body, double dt) {
         corners_.move(body.grid, dt);
         for (std::size_t i = 0; i < of_.size(); ++i) body.points[i].x = Domain::weights(corners_of(i)).centroid;
+    }
+
+    /// Domains that are no good any more (watch.hpp).
+    template <class Body>
+        requires(D == 2)
+    Trouble trouble(const Body& body) const {
+        return check_domains(*this, body.points, body.grid.lattice().h());
     }
 
 private:

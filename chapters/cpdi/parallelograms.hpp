@@ -7,6 +7,7 @@
 
 #include "chapters/cpdi/corners.hpp"
 #include "chapters/cpdi/domain.hpp"
+#include "chapters/cpdi/watch.hpp"
 
 namespace mpm {
 
@@ -49,6 +50,13 @@ public:
             for (std::size_t c = 0; c < N; ++c) corners_.place(N * i + c) = x[c];
         }
         corners_.check();
+    }
+
+    /// Domains that are no good any more (watch.hpp).
+    template <class Body>
+        requires(D == 2)
+    Trouble trouble(const Body& body) const {
+        return check_domains(*this, body.points, body.grid.lattice().h());
     }
 
 private:

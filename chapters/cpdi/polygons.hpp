@@ -9,6 +9,7 @@
 
 #include "chapters/cpdi/corners.hpp"
 #include "chapters/cpdi/polygon.hpp"
+#include "chapters/cpdi/watch.hpp"
 
 namespace mpm {
 
@@ -80,6 +81,9 @@ public:
         }
         corners_.check();
     }
+
+    /// Domains that are no good any more (watch.hpp).
+    template <class Body> Trouble trouble(const Body& body) const { return check_domains(*this, body.points, body.grid.lattice().h()); }
 
 private:
     std::size_t count(std::size_t i) const { return first_[i + 1] - first_[i]; }
