@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lab/snapshot.hpp"
-#include "plots/triangulate.hpp"
+#include "lab/triangulate.hpp"
 
 namespace mpm {
 

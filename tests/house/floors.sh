@@ -28,6 +28,6 @@ behind() {
     found=$(grep -rlE "#[[:space:]]*include[[:space:]]*[<\"]$1" --include='*.hpp' --include='*.cpp' lab chapters examples plots tests | grep -vxE "$2")
     [ -z "$found" ] || { printf '%s belongs in %s only:\n%s\n' "$1" "$2" "$found"; broken=1; }
 }
-behind 'CGAL/' 'lab/(mesh|voronoi_diagram)\.cpp'
+behind 'CGAL/' 'lab/(mesh|triangulate|voronoi_diagram)\.cpp'
 behind 'png\.h' 'lab/image_png\.cpp'
 exit $broken
