@@ -135,9 +135,8 @@ inline Quadrilaterals quadrilaterals_of(const Triangles& triangles) {
     return mesh;
 }
 
-/// Two triangles in each of n.first x n.second equal cells. Throws BadInput as quadrilaterals_of does.
-inline Triangles triangles_of(const Box& box, const CellCounts& n, Diagonals diagonals = Diagonals::rising) {
-    const Quadrilaterals cells = quadrilaterals_of(box, n);
+/// Two triangles in each cell of a structured mesh that has n.first x n.second of them.
+inline Triangles triangles_of(const Quadrilaterals& cells, const CellCounts& n, Diagonals diagonals = Diagonals::rising) {
     Triangles mesh{cells.points, {}};
     for (std::size_t k = 0; k < cells.corners.size(); ++k) {
         const auto [a, b, c, d] = cells.corners[k];
@@ -148,6 +147,11 @@ inline Triangles triangles_of(const Box& box, const CellCounts& n, Diagonals dia
             mesh.corners.insert(mesh.corners.end(), {{a, b, d}, {b, c, d}});
     }
     return mesh;
+}
+
+/// Two triangles in each of n.first x n.second equal cells of a box. Throws BadInput as quadrilaterals_of does.
+inline Triangles triangles_of(const Box& box, const CellCounts& n, Diagonals diagonals = Diagonals::rising) {
+    return triangles_of(quadrilaterals_of(box, n), n, diagonals);
 }
 
 }  // namespace mpm

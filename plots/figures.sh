@@ -100,6 +100,14 @@ for shape in hat cubic; do
     run disks-contact-$shape two_disks --shape $shape --cells $cells --cfl 0.2 --t-end 1.65 --records 100
 done
 
+# Particle domains: the pressed cylinder, the sheared ring, the two disks.
+for s in q4 t3 polygon; do
+    cells=20,40,80; [ $s = polygon ] && cells=20,40
+    run cylinder-$s cpdi_cylinder --shape cpdi-$s --cells $cells --frames 1
+done
+for d in conforming boxes; do run domains-$d cpdi_vortex --domains $d --ppc 2 --frames 2 --watch warn || [ $? -eq 3 ]; done
+for s in r4 q4 t3 polygon; do run domains-disks-$s cpdi_two_disks --shape cpdi-$s --cells 40 --t-end 3.8 --frames 2; done
+
 # Variants side by side: error against run time of the segment, largest stable steps and stiff cases of the bar.
 segment() { printf ' -- mms_segment --G 0.05 --ppc 2 --repeat 5 %s' "$*"; }
 echo "comparing variants of mms_segment"

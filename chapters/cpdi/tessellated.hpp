@@ -35,6 +35,13 @@ struct Tessellated {
     }
 };
 
+/// The cells of a mesh of triangles or quadrilaterals.
+template <class Mesh> PolygonCells polygon_cells(const Mesh& mesh) {
+    PolygonCells cells{mesh.points, {}};
+    for (const auto& corners : mesh.corners) cells.corners.emplace_back(corners.begin(), corners.end());
+    return cells;
+}
+
 /// Turns the cells of a mesh that run clockwise.
 inline PolygonCells counter_clockwise(PolygonCells mesh) {
     for (std::vector<int>& cell : mesh.corners) {
