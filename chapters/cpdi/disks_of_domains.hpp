@@ -97,6 +97,7 @@ private:
         PolygonCells inside{all.points, {}};
         for (std::size_t i = 0; i < all.corners.size(); ++i)
             if ((cell_moments(all.points, all.corners[i], i).centroid - centre).norm() <= radius) inside.corners.push_back(all.corners[i]);
+        if (inside.corners.empty()) throw BadInput("--cells, --ppc, --radius: no box lies inside the disks");
         return inside;
     }
     /// The disk, and after it what a point mirrors it to.

@@ -41,6 +41,7 @@ private:
             const double R = cell_moments(all.points, all.corners[i], i).centroid.norm();
             if (R >= R_i && R <= R_o) ring.corners.push_back(all.corners[i]);
         }
+        if (ring.corners.empty()) throw BadInput("--cells, --ppc, --inner, --outer: no box lies inside the ring");
         return ring;
     }
 };

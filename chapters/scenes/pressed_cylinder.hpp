@@ -28,9 +28,10 @@ struct CylinderCase {
         o.choice("law", law, {NeoHookean::name, Hooke::name}, "material");
         o.choice("load", load_kind, {"follower", "dead"}, "pressure on the edges as they are, or as they were at the start");
     }
-    /// Throws BadInput for a cylinder without a wall.
+    /// Throws BadInput for a cylinder without a wall or without a pressure.
     void check() const {
         if (a >= b) throw BadInput("--inner = " + number_text(a) + ": allowed < --outer = " + number_text(b));
+        if (p == 0) throw BadInput("--pressure = 0: allowed any other, errors are relative to what it does");
     }
 
     double lambda() const { return E * nu / ((1 + nu) * (1 - 2 * nu)); }

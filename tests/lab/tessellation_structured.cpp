@@ -120,5 +120,16 @@ TEST(StructuredMeshes, RefuseWhatHasNoCells) {
     EXPECT_EQ(refusal([] { quadrilaterals_of(Triangles{{{0, 0}, {1, 0}, {2, 0}}, {{0, 1, 2}}}); }), "mesh: cell 0 encloses no area");
 }
 
+// Halves of a ring's cells cover what the cells do, whichever diagonal cuts them.
+TEST(StructuredRing, IsCoveredByHalvesOfItsCells) {
+    const CellCounts n{3, 7};
+    const Quadrilaterals cells = quadrilaterals_of(Ring{Vec<2>(1, 2), 0.5, 1.5}, n, 0, 1.2);
+    for (const Diagonals diagonals : {Diagonals::rising, Diagonals::alternating}) {
+        const Triangles halves = triangles_of(cells, n, diagonals);
+        EXPECT_EQ(halves.corners.size(), 2 * cells.corners.size());
+        EXPECT_NEAR(mesh_area(halves), mesh_area(cells), 1e-14);
+    }
+}
+
 }  // namespace
 }  // namespace mpm::test

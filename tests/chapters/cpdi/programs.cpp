@@ -45,8 +45,11 @@ TEST(CpdiCylinder, ApproachesLame) {
     const auto polygon = ran("cpdi_cylinder", {"--shape", "cpdi-polygon", "--cells", "20,40"}).errors("displacement");
     for (const std::size_t k : {0, 1}) EXPECT_LT(polygon[k], 1.5 * u[k]);
 }
-TEST(CpdiCylinder, RefusesAWallWithoutThickness) {
+TEST(CpdiCylinder, RefusesWhatCannotBe) {
     expect_one_line(Folder().run("cpdi_cylinder", {"--inner", "1"}), 2, {"--inner", "--outer"});
+    expect_one_line(Folder().run("cpdi_cylinder", {"--pressure", "0"}), 2, {"--pressure"});
+    expect_one_line(Folder().run("cpdi_cylinder", {"--pressure", "1e9"}), 2, {"--pressure"});
+    expect_one_line(Folder().run("cpdi_cylinder", {"--shape", "cpdi-r4"}), 2, {"--shape", "cpdi-q4"});
 }
 
 // On 40 cells the four kinds of domains rebound with kinetic energies within 3 % of the initial one (on 80: 1.4 %): they differ in how far
@@ -62,6 +65,9 @@ TEST(CpdiTwoDisks, ReboundAlikeWithAllDomains) {
     }
     EXPECT_LT(high - low, 0.03);
     EXPECT_GT(low, 0.9);
+}
+TEST(CpdiTwoDisks, RefusesDisksBetweenTheBoxes) {
+    expect_one_line(Folder().run("cpdi_two_disks", {"--radius", "0.02", "--cells", "10", "--ppc", "1"}), 2, {"--cells, --ppc, --radius"});
 }
 
 struct Sheared {
