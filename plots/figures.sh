@@ -100,6 +100,11 @@ for shape in hat cubic; do
     run disks-contact-$shape two_disks --shape $shape --cells $cells --cfl 0.2 --t-end 1.65 --records 100
 done
 
+# CPDI: domains of a heavy column before they get too long; the hole, a named trouble (exit code 3) where nothing is done about it.
+for d in r4 q4 t3 polygon; do run cpdi-column-$d cpdi_${d}_column --g 1000 --cells 8 --ppc 1 --t-end 0.036 --frames 1 --records 20; done
+run cpdi-hole-wide cpdi_hole --watch warn --frames 6 || [ $? -eq 3 ]
+run cpdi-hole-narrow cpdi_hole --wide 2.8 --frames 6
+run cpdi-hole-split cpdi_hole --split --frames 6
 # Particle domains: the pressed cylinder, the sheared ring, the two disks.
 for s in q4 t3 polygon; do
     cells=20,40,80; [ $s = polygon ] && cells=20,40

@@ -59,6 +59,8 @@ public:
         return check_domains(*this, body.points, body.grid.lattice().h());
     }
 
+    const std::vector<Vec<D>>& half() const { return half_; }
+
 private:
     Corners<D> corners_;
     std::vector<Vec<D>> half_;

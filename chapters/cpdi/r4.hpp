@@ -5,7 +5,8 @@
 namespace mpm {
 
 /// Corners x -+ r1 -+ r2 with r_i = F r_i^0, r_i^0 half an edge of the rectangle (3.27), (3.34). Nothing joins the corners of neighbours:
-/// where F differs from particle to particle, gaps and overlaps open (figure 25).
+/// where F differs from particle to particle, gaps and overlaps open (figure 25). With MUSL they open in uniaxial strain too, where USL has
+/// none: it moves particles with one velocity and strains them with another.
 struct DomainR4 {
     static constexpr const char* name = "cpdi-r4";
     static constexpr int D = 2;

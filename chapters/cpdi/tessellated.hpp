@@ -1,10 +1,11 @@
-/// Scenes whose bodies are tessellated into particle domains, and how these become weighting functions by the names of `--shape`.
+/// How the domains of Tessellated scenes become weighting functions, by the names of `--shape`.
 #pragma once
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -15,25 +16,9 @@
 #include "chapters/cpdi/r4.hpp"
 #include "chapters/cpdi/t3.hpp"
 #include "lab/assemble.hpp"
-#include "lab/triangles.hpp"
+#include "lab/tessellated.hpp"
 
 namespace mpm {
-
-/// What a scene with domains is made of: one tessellation for each body, its cells counter-clockwise. `assemble_domains` fills it in by the
-/// scene's tessellate(shape, cells, ppc), so that particles and weighting functions have the same domains.
-struct Tessellated {
-    std::shared_ptr<const std::vector<PolygonCells>> domains = {};
-
-    /// One particle in each domain, at its centroid and with its area; `set(point)` gives it what else it needs.
-    template <class Point, class Set> std::vector<std::vector<Point>> bodies_of(double rho, Set&& set) const {
-        std::vector<std::vector<Point>> all;
-        for (const PolygonCells& cells : *domains) {
-            all.push_back(particles_at_centroids<Point>(cells, rho));
-            for (Point& p : all.back()) set(p);
-        }
-        return all;
-    }
-};
 
 /// The cells of a mesh of triangles or quadrilaterals.
 template <class Mesh> PolygonCells polygon_cells(const Mesh& mesh) {
@@ -80,31 +65,44 @@ Parallelograms<DomainR4, TotalLagrangian> rectangles_of(const Lattice<2>& lattic
 /// The names that `--shape` takes.
 inline std::vector<std::string> domain_names() { return {DomainR4::name, DomainQ4::name, DomainT3::name, DomainPolygon::name}; }
 
-/// One resolution of a Tessellated scene with the domains that `--shape` names.
-template <bool TotalLagrangian, class Scheme, class Scene, class Transfer>
-Assembled assemble_domains(const Scheme& scheme, const Scene& plain, const Transfer& transfer, int cells, const Common& common) {
+/// The weighting function of a body that is tessellated into such domains; `shape_of_mesh` makes it.
+template <class Domain, bool TotalLagrangian> struct ShapeOf {
+    using Shape = Domains<Domain, TotalLagrangian>;
+};
+template <bool TotalLagrangian> struct ShapeOf<DomainR4, TotalLagrangian> {
+    using Shape = Parallelograms<DomainR4, TotalLagrangian>;
+};
+template <bool TotalLagrangian> struct ShapeOf<DomainPolygon, TotalLagrangian> {
+    using Shape = Polygons<TotalLagrangian>;
+};
+template <class Domain, bool TotalLagrangian, class Points>
+typename ShapeOf<Domain, TotalLagrangian>::Shape shape_of_mesh(const Lattice<2>& lattice, const Points& points, const PolygonCells& mesh) {
+    if constexpr (std::is_same_v<Domain, DomainR4>) return rectangles_of<TotalLagrangian>(lattice, points, mesh);
+    else if constexpr (std::is_same_v<Domain, DomainPolygon>) return Polygons<TotalLagrangian>(lattice, mesh.points, mesh.corners);
+    else return domains_of<Domain, TotalLagrangian>(lattice, mesh);
+}
+
+/// One resolution of a Tessellated scene with one kind of domains.
+template <class Domain, bool TotalLagrangian, class Scheme, class Scene, class Transfer>
+Assembled assemble_domain(const Scheme& scheme, const Scene& plain, const Transfer& transfer, int cells, const Common& common) {
     Scene scene = plain;
     std::vector<PolygonCells> meshes;
-    for (PolygonCells& mesh : scene.tessellate(common.shape, cells, common.ppc)) meshes.push_back(counter_clockwise(std::move(mesh)));
+    for (PolygonCells& mesh : scene.tessellate(Domain::name, cells, common.ppc)) meshes.push_back(counter_clockwise(std::move(mesh)));
     scene.domains = std::make_shared<const std::vector<PolygonCells>>(std::move(meshes));
     std::size_t body = 0;
-    const auto next = [&]() -> const PolygonCells& { return (*scene.domains)[body++]; };
-    const auto with = [&]<class Shape>(const char* name, auto make) {
-        return assemble<Shape>(scheme, scene, transfer, ShapeFacts{name, 1, 2}, cells, common, make);
-    };
-    if (common.shape == DomainR4::name)
-        return with.template operator()<Parallelograms<DomainR4, TotalLagrangian>>(
-            DomainR4::name, [&](const auto& lattice, const auto& points) { return rectangles_of<TotalLagrangian>(lattice, points, next()); });
-    if (common.shape == DomainQ4::name)
-        return with.template operator()<Domains<DomainQ4, TotalLagrangian>>(
-            DomainQ4::name, [&](const auto& lattice, const auto&) { return domains_of<DomainQ4, TotalLagrangian>(lattice, next()); });
-    if (common.shape == DomainT3::name)
-        return with.template operator()<Domains<DomainT3, TotalLagrangian>>(
-            DomainT3::name, [&](const auto& lattice, const auto&) { return domains_of<DomainT3, TotalLagrangian>(lattice, next()); });
-    return with.template operator()<Polygons<TotalLagrangian>>(DomainPolygon::name, [&](const auto& lattice, const auto&) {
-        const PolygonCells& mesh = next();
-        return Polygons<TotalLagrangian>(lattice, mesh.points, mesh.corners);
-    });
+    return assemble<typename ShapeOf<Domain, TotalLagrangian>::Shape>(
+        scheme, scene, transfer, ShapeFacts{Domain::name, 1, 2}, cells, common, [&](const auto& lattice, const auto& points) {
+            return shape_of_mesh<Domain, TotalLagrangian>(lattice, points, (*scene.domains)[body++]);
+        });
+}
+
+/// The same with the domains that `--shape` names.
+template <bool TotalLagrangian, class Scheme, class Scene, class Transfer>
+Assembled assemble_domains(const Scheme& scheme, const Scene& scene, const Transfer& transfer, int cells, const Common& common) {
+    if (common.shape == DomainR4::name) return assemble_domain<DomainR4, TotalLagrangian>(scheme, scene, transfer, cells, common);
+    if (common.shape == DomainQ4::name) return assemble_domain<DomainQ4, TotalLagrangian>(scheme, scene, transfer, cells, common);
+    if (common.shape == DomainT3::name) return assemble_domain<DomainT3, TotalLagrangian>(scheme, scene, transfer, cells, common);
+    return assemble_domain<DomainPolygon, TotalLagrangian>(scheme, scene, transfer, cells, common);
 }
 
 }  // namespace mpm

@@ -1,0 +1,13 @@
+/// The area that polygons cover together.
+#pragma once
+#include <vector>
+
+#include "lab/math.hpp"
+
+namespace mpm {
+
+/// Area that simple polygons cover together [length^2], by slabs between events: there the covered length is linear in x and its value in
+/// the middle exact. O(edges x edges of a slab).
+double covered_area(const std::vector<std::vector<Vec<2>>>& polygons);
+
+}  // namespace mpm
