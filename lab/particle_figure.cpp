@@ -26,9 +26,10 @@ void arrays(std::ostream& s, const std::vector<Frame>& frames) {
 /// Sets x1, x2, y1, y2 and, for colours, c1, c2 to the range of their columns over all snapshots.
 void ranges(std::ostream& s, const Animated& a) {
     const bool coloured = !a.colour.empty();
+    const std::string file = a.domains ? "'domains'.F[i][10:*]" : "F[i]";
     s << "# The range of every column over all snapshots.\n"
       << "lower(a, b) = a < b ? a : b\nupper(a, b) = a > b ? a : b\n"
-      << "do for [i = 1:n] {\n    stats F[i] using " << column(a.x) << ":" << column(a.y) << " name 'f' nooutput\n"
+      << "do for [i = 1:n] {\n    stats " << file << " using " << column(a.x) << ":" << column(a.y) << " name 'f' nooutput\n"
       << "    if (i == 1) { x1 = f_min_x; x2 = f_max_x; y1 = f_min_y; y2 = f_max_y }\n"
       << "    x1 = lower(x1, f_min_x); x2 = upper(x2, f_max_x); y1 = lower(y1, f_min_y); y2 = upper(y2, f_max_y)\n";
     if (coloured)
@@ -47,8 +48,10 @@ std::string particles(const Animated& a) {
            " with boxxyerror fs solid noborder lc palette\n";
 }
 
-/// Domains seen from above, their height the colour.
-constexpr const char* polygon_style = "set view map\nset pm3d border lc rgb '#404040' lw 0.3\nset style fill solid border lc rgb '#404040'\n";
+/// Domains seen from above, their height the colour. A map's labels lie further out than those of a plane plot.
+constexpr const char* polygon_style =
+    "set view map\nset pm3d border lc rgb '#404040' lw 0.3\nset style fill solid border lc rgb '#404040'\n"
+    "set xtics offset 0,0.6\nset xlabel offset 0,1\nset ylabel offset 0.3,0\nset cblabel offset 1.5,0\n";
 
 /// Panels of equal axes in pixels: in a row or, where the particles lie far wider than high, one below the other.
 constexpr const char* layout = R"(# Sizes in pixels: each panel, what is around all of them, what is between them.
