@@ -191,7 +191,12 @@ template <class Matter, class Scene>
     else
         bodies.push_back(scene.template particles<typename Matter::Point>(cells, ppc));
     std::vector<Matter> all;
-    for (Points& points : bodies) all.push_back({std::move(points), Grid<Scene::D, typename Matter::Node>(lattice), scene.law()});
+    for (const Points& points : bodies) {
+        Points kept;
+        reserve_large(kept, points.size());
+        kept = points;
+        all.push_back({std::move(kept), Grid<Scene::D, typename Matter::Node>(lattice), scene.law()});
+    }
     return all;
 }
 

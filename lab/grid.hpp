@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lab/math.hpp"
+#include "lab/memory.hpp"
 #include "lab/threads.hpp"
 
 namespace mpm {
@@ -76,7 +77,9 @@ template <int D, class NodeType> class Grid {
 public:
     using Node = NodeType;
 
-    explicit Grid(const Lattice<D>& where = {}) : lattice_(where), nodes_(static_cast<std::size_t>(where.size())) {
+    explicit Grid(const Lattice<D>& where = {}) : lattice_(where) {
+        reserve_large(nodes_, static_cast<std::size_t>(where.size()));
+        nodes_.resize(static_cast<std::size_t>(where.size()));
         if constexpr (requires(Node& n) { n.x; })
             for (int I = 0; I < where.size(); ++I) (*this)[I].x = where.position(I);
     }
@@ -84,7 +87,11 @@ public:
     const Lattice<D>& lattice() const { return lattice_; }
     void reset() {
         each(*this, [](Node& node) { node.reset(); });
+        reset_ = true;
     }
+    /// Whether nothing was added to the nodes since the last reset. Those who read nodes through corners of domains ask, and tell.
+    bool is_reset() const { return reset_; }
+    void touched() { reset_ = false; }
 
     /// Threads for the sweeps over this grid's nodes and its body's particles, in two dimensions. One, unless told otherwise.
     void use_threads(int threads) { threads_ = D == 2 ? threads : 1; }
@@ -102,6 +109,7 @@ private:
     Lattice<D> lattice_;
     std::vector<Node> nodes_;
     int threads_ = 1;
+    bool reset_ = false;
 };
 
 /// Visits every node, each on its own: `each(body.grid, [&](auto& node) {...})`. In as many threads as the grid was given.

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <vector>
 
+#include "lab/memory.hpp"
+
 namespace mpm {
 
 /// Whether particles may change places: not those of a shape that keeps anything by number (`numbered = false` says that it does
@@ -37,6 +39,7 @@ public:
         }
         for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
         body.number_points();
+        if (points_.empty()) reserve_large(points_, count);
         points_.resize(count);
         numbers_.resize(count);
         for (std::size_t i = 0; i < count; ++i) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lab/grid.hpp"
+#include "lab/memory.hpp"
 #include "lab/stencil.hpp"
 
 namespace mpm {
@@ -66,7 +67,10 @@ public:
     /// Fields of the grid at the corners; their sums become zero.
     template <class Node> void from_grid(const Grid<D, Node>& grid, std::vector<Node>& corners) const {
         static_assert(CanBeCorner<Node>, "a node must tell its sums() and fields() to be used with domains (chapters/cpdi/corners.hpp)");
+        if (corners.empty()) reserve_large(corners, size());
         corners.resize(size());
+        if constexpr (!requires(Node& node) { node.x; })
+            if (grid.is_reset()) return std::fill(corners.begin(), corners.end(), Node{});  // its fields are zero
         for (std::size_t c = 0; c < size(); ++c) {
             Node at{};
             hats(c, [&](int I, double N) {
@@ -78,11 +82,14 @@ public:
     }
     /// Adds the sums of the corners to the grid.
     template <class Node> void to_grid(const std::vector<Node>& corners, Grid<D, Node>& grid) const {
-        for (std::size_t c = 0; c < size(); ++c)
+        for (std::size_t c = 0; c < size(); ++c) {
+            const Node& corner = corners[c];
             hats(c, [&](int I, double N) {
                 Node& node = grid[I];
-                std::apply([&](auto... sum) { ((node.*sum += N * corners[c].*sum), ...); }, Node::sums());
+                std::apply([&](auto... sum) { ((node.*sum += N * corner.*sum), ...); }, Node::sums());
             });
+        }
+        grid.touched();
     }
     /// Moves the corners with the grid (3.38). Throws OutsideGrid.
     template <class Node> void move(const Grid<D, Node>& grid, double dt) {

@@ -15,8 +15,9 @@ struct DomainQ4 {
         DomainWeights<2, 4> w;
         w.V = 0.5 * cross(x[2] - x[0], x[3] - x[1]);
         const double a = cross(x[3] - x[0], x[1] - x[2]), b = cross(x[2] - x[3], x[0] - x[1]);
-        w.f = {0.25 - (a + b) / (24 * w.V), 0.25 - (a - b) / (24 * w.V), 0.25 + (a + b) / (24 * w.V), 0.25 + (a - b) / (24 * w.V)};
-        const Vec<2> g0 = edge_normal(x[3], x[1]) / (2 * w.V), g1 = edge_normal(x[0], x[2]) / (2 * w.V);
+        const double per_2V = 0.5 / w.V, p = (a + b) * per_2V / 12, q = (a - b) * per_2V / 12;
+        w.f = {0.25 - p, 0.25 - q, 0.25 + p, 0.25 + q};
+        const Vec<2> g0 = edge_normal(x[3], x[1]) * per_2V, g1 = edge_normal(x[0], x[2]) * per_2V;
         w.g = {g0, g1, -g0, -g1};
         for (std::size_t c = 0; c < 4; ++c) w.centroid += w.f[c] * x[c];
         return w;

@@ -14,7 +14,8 @@ struct DomainT3 {
         DomainWeights<2, 3> w;
         w.V = 0.5 * cross(x[1] - x[0], x[2] - x[0]);
         w.f = {1.0 / 3, 1.0 / 3, 1.0 / 3};
-        for (std::size_t c = 0; c < 3; ++c) w.g[c] = -edge_normal(x[(c + 1) % 3], x[(c + 2) % 3]) / (2 * w.V);
+        const double per_2V = 0.5 / w.V;
+        for (std::size_t c = 0; c < 3; ++c) w.g[c] = -edge_normal(x[(c + 1) % 3], x[(c + 2) % 3]) * per_2V;
         w.centroid = (x[0] + x[1] + x[2]) / 3;
         return w;
     }

@@ -1,6 +1,6 @@
 /// What one step costs: every explicit scheme with every shape, in 1D and 2D, beside the hand-written kernel of kernel.hpp, which is first
 /// checked to give the same numbers. Counter `particle`: time per particle and step; compare ratios within one run.
-///   g++ -std=c++20 -O3 -DNDEBUG -I. -I/usr/include/eigen3 tests/benchmarks/step.cpp lab/threads.cpp -fopenmp -lbenchmark
+///   g++ -std=c++20 -O3 -DNDEBUG -I. -I/usr/include/eigen3 tests/benchmarks/step.cpp lab/memory.cpp lab/strips.cpp lab/threads.cpp -fopenmp -lbenchmark
 ///   ./a.out --benchmark_filter='musl|kernel' --benchmark_enable_random_interleaving=true --benchmark_repetitions=9
 #include <benchmark/benchmark.h>
 
@@ -32,6 +32,7 @@
 #include "chapters/weighting/ugimp.hpp"
 #include "lab/body.hpp"
 #include "lab/boundary.hpp"
+#include "lab/memory.hpp"
 #include "tests/benchmarks/kernel.hpp"
 
 namespace {
@@ -66,6 +67,7 @@ template <class Scheme, int D, class Law, class Kernel> auto vibrating(int cells
     Law law;
     law.lambda = 0.4, law.mu = 0.3;
     std::vector<Point<D>> points;
+    reserve_large(points, static_cast<std::size_t>(power(cells, D) * power(2, D)));
     for (int cell = 0; cell < power(cells, D); ++cell)
         for (int k = 0; k < power(2, D); ++k) {
             Point<D> p;

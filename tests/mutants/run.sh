@@ -19,7 +19,7 @@ done
 cp "$here/heavy.hpp" "$work/"
 $compile -x c++-header "$work/heavy.hpp" -o "$work/heavy.hpp.gch" || exit 1
 column 5 | xargs -P "$jobs" -I TEST $compile -include "$work/heavy.hpp" -I "$work" -I "$root" "$root/tests/chapters/explicit/TEST.cpp" \
-    "$root/lab/strips.cpp" "$root/lab/threads.cpp" -lgtest_main -lgtest -pthread -o "$work/TEST" || exit 1
+    "$root/lab/memory.cpp" "$root/lab/strips.cpp" "$root/lab/threads.cpp" -lgtest_main -lgtest -pthread -o "$work/TEST" || exit 1
 
 mutants=0 alive=0
 while IFS='|' read -r number header line old new test name; do
