@@ -34,4 +34,16 @@ const SchemeChoice<Settings>& chosen(const std::vector<SchemeChoice<Settings>>& 
     return choice;
 }
 
+/// What does not go together in examples whose total-Lagrangian scheme alone has two flavours and all transfers. Throws BadInput.
+template <class Settings> void check_settings(const Settings& s) {
+    if (s.stress != "musl" && s.scheme != "tlmpm") throw BadInput("--stress: only --scheme tlmpm has two flavours, not " + s.scheme);
+    s.transfer.check(s.common.ppc);
+    if (s.transfer.name != "flip" && s.scheme != "tlmpm")
+        throw BadInput("--transfer " + s.transfer.name + ": allowed with --scheme tlmpm, not " + s.scheme);
+    const bool gimp = s.common.shape == Ugimp::name || s.common.shape == Cpgimp::name;
+    if (gimp && s.scene.placing == "gauss" && s.common.ppc > 2)
+        throw BadInput("--points gauss with --shape " + s.common.shape + ": particles of one size tile a cell only with --ppc 1 or 2");
+    s.scene.check();
+}
+
 }  // namespace mpm

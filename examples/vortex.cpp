@@ -17,18 +17,6 @@ const std::vector<SchemeChoice<VortexSettings>> choices{{"usl", UpdatedShapes::n
                                                         {"musl", UpdatedShapes::names(), musl_vortex},
                                                         {"tlmpm", AllShapes::names(), tlmpm_vortex}};
 
-/// What does not go together, each by itself allowed. Throws BadInput.
-void check(const VortexSettings& s) {
-    if (s.stress != "musl" && s.scheme != "tlmpm") throw BadInput("--stress: only --scheme tlmpm has two flavours, not " + s.scheme);
-    s.transfer.check(s.common.ppc);
-    if (s.transfer.name != "flip" && s.scheme != "tlmpm")
-        throw BadInput("--transfer " + s.transfer.name + ": allowed with --scheme tlmpm, not " + s.scheme);
-    const bool gimp = s.common.shape == Ugimp::name || s.common.shape == Cpgimp::name;
-    if (gimp && s.scene.placing == "gauss" && s.common.ppc > 2)
-        throw BadInput("--points gauss with --shape " + s.common.shape + ": particles of one size tile a cell only with --ppc 1 or 2");
-    s.scene.check();
-}
-
 int run(int argc, char** argv) {
     Options options(program, purpose);
     VortexSettings s;
@@ -45,7 +33,7 @@ int run(int argc, char** argv) {
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
     const auto& choice = chosen(choices, s.scheme, s.common.shape);
-    check(s);
+    check_settings(s);
     if (!options.given("t-end")) s.common.t_end = s.scene.T0;  // of this motion, not of the default one
     VortexSettings settings = s;
     settings.common = s.common.with_period(s.scene.period());

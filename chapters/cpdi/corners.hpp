@@ -1,5 +1,5 @@
-/// Corners of particle domains, shared by neighbours, as a stage between particles and grid (review appendix C): each corner's hat functions are
-/// evaluated once, not once for every particle that has it.
+/// Corners of particle domains, shared by neighbours, as a stage between particles and grid (review appendix C): each corner's hat
+/// functions are evaluated once, not once for every particle that has it.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -14,8 +14,8 @@
 
 namespace mpm {
 
-/// What a node type must tell to be a corner: sums(), what particles add to it (mass, momenta, forces), and fields(), what they read from it
-/// (velocities): tuples of pointers to members, e.g. std::tuple(&Node::m, &Node::mv).
+/// What a node type must tell to be a corner: sums(), what particles add to it (mass, momenta, forces), and fields(), what they read from
+/// it (velocities): tuples of pointers to members, e.g. std::tuple(&Node::m, &Node::mv).
 template <class Node>
 concept CanBeCorner = requires {
     Node::sums();

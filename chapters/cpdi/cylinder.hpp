@@ -1,5 +1,5 @@
-/// A quarter of a thick cylinder under inner pressure (chapters/scenes/pressed_cylinder.hpp), tessellated into domains whose edges are loaded
-/// (review 4.2.3). It comes to rest by damping.
+/// A quarter of a thick cylinder under inner pressure (chapters/scenes/pressed_cylinder.hpp), tessellated into domains whose edges are
+/// loaded (review 4.2.3). It comes to rest by damping.
 #pragma once
 #include <algorithm>
 #include <array>

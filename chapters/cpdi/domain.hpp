@@ -1,7 +1,7 @@
 /// What a particle domain gives to the weighting functions of CPDI (review 3.6): each corner's function and gradient weight.
 ///
-/// CPDI replaces the hat functions inside a domain by interpolation between the domain's corners, N(x) ~ sum_c M_c(x) N(x_c) (3.29), so that the
-/// means over the domain of function and gradient are (3.30), (3.31)
+/// CPDI replaces the hat functions inside a domain by interpolation between the domain's corners, N(x) ~ sum_c M_c(x) N(x_c) (3.29), so
+/// that the means over the domain of function and gradient are (3.30), (3.31)
 ///   phi = sum_c w_f[c] N(x_c),  grad phi = sum_c w_g[c] N(x_c),  w_f[c] = 1/V int M_c,  w_g[c] = 1/V int grad M_c.
 /// So sum w_f = 1 and sum w_g = 0, for every domain whose V is not zero.
 #pragma once

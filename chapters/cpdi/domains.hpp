@@ -25,7 +25,7 @@ public:
     /// Throws OutsideGrid for a corner outside.
     Domains(const Lattice<D>& lattice, std::vector<Vec<D>> corners, Of of) : corners_(lattice, std::move(corners)), of_(std::move(of)) {}
 
-    /// Function and gradient weights of particle i's corners: a few flops, less than it takes to fetch what was stored.
+    /// Function and gradient weights of particle i's corners, made anew for each sweep: storing them was slower with quadrilaterals.
     template <class Point> Stencil<D, N> operator()(const Point&, std::size_t i) const {
         const DomainWeights<D, N> w = Domain::weights(corners_of(i));
         Stencil<D, N> s;
@@ -40,7 +40,8 @@ public:
         return x;
     }
 
-    /// Corners go with the velocity that strains their particles, so that these keep V = J V0; particles are where their domains are (3.39).
+    /// Corners go with the velocity that strains their particles, so that these keep V = J V0; particles are where their domains are
+    /// (3.39).
     template <class Body>
         requires(!TotalLagrangian)
     void follow(Body& body, double dt) {

@@ -1,4 +1,5 @@
-/// The weighting function of a body whose domains F carries along: CPDI-R4, and CPDI-L2 with its corners at x -+ F l0/2 (review 3.6.1, 3.6.2).
+/// The weighting function of a body whose domains F carries along: CPDI-R4, and CPDI-L2 with its corners at x -+ F l0/2 (review 3.6.1,
+/// 3.6.2).
 #pragma once
 #include <array>
 #include <cstddef>
@@ -21,7 +22,8 @@ public:
 
     Parallelograms() = default;
     /// Throws OutsideGrid for a corner outside.
-    template <class Points> Parallelograms(const Lattice<D>& lattice, const Points& points, std::vector<Vec<D>> half) : half_(std::move(half)) {
+    template <class Points>
+    Parallelograms(const Lattice<D>& lattice, const Points& points, std::vector<Vec<D>> half) : half_(std::move(half)) {
         std::vector<Vec<D>> corners;
         for (std::size_t i = 0; i < points.size(); ++i)
             for (const Vec<D>& x : Domain::corners_of(points[i], half_[i])) corners.push_back(x);

@@ -6,8 +6,8 @@
 
 namespace mpm {
 
-/// Corners counter-clockwise, n >= 3 of them. The inner point has the function weight 1/3 and the gradient weight zero, whatever its place: each of the
-/// triangles gives it a third of its area, and their edges opposite to it close. A triangle needs none (3.40).
+/// Corners counter-clockwise, n >= 3 of them. The inner point has the function weight 1/3 and the gradient weight zero, whatever its
+/// place: each of the triangles gives it a third of its area, and their edges opposite to it close. A triangle needs none (3.40).
 struct DomainPolygon {
     static constexpr const char* name = "cpdi-polygon";
     static constexpr int D = 2;

@@ -28,8 +28,8 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Particle i has the corners of[i], counter-clockwise; one with more than three has an inner point too, at its centroid, which counts as one more
-/// corner that nobody shares.
+/// Particle i has the corners of[i], counter-clockwise; one with more than three has an inner point too, at its centroid, which counts as
+/// one more corner that nobody shares.
 template <bool TotalLagrangian> class Polygons {
 public:
     using Domain = DomainPolygon;

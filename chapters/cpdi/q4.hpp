@@ -9,8 +9,8 @@ struct DomainQ4 {
     static constexpr int D = 2;
     static constexpr std::size_t corners = 4;
 
-    /// Corners counter-clockwise (clockwise ones give the same weights with V < 0). a and b measure how far opposite edges are from parallel;
-    /// in a parallelogram both vanish and the function weights are 1/4.
+    /// Corners counter-clockwise (clockwise ones give the same weights with V < 0). a and b measure how far opposite edges are from
+    /// parallel; in a parallelogram both vanish and the function weights are 1/4.
     static DomainWeights<2, 4> weights(const std::array<Vec<2>, 4>& x) {
         DomainWeights<2, 4> w;
         w.V = 0.5 * cross(x[2] - x[0], x[3] - x[1]);

@@ -30,21 +30,20 @@ template <class Mesh> PolygonCells polygon_cells(const Mesh& mesh) {
 /// Turns the cells of a mesh that run clockwise.
 inline PolygonCells counter_clockwise(PolygonCells mesh) {
     for (std::vector<int>& cell : mesh.corners) {
-        double twice_area = 0;
-        for (std::size_t c = 0; c < cell.size(); ++c)
-            twice_area += cross(mesh.points[static_cast<std::size_t>(cell[c])], mesh.points[static_cast<std::size_t>(cell[(c + 1) % cell.size()])]);
-        if (twice_area < 0) std::reverse(cell.begin(), cell.end());
+        const auto corner = [&](std::size_t c) -> const Vec<2>& { return mesh.points[static_cast<std::size_t>(cell[c])]; };
+        if (DomainPolygon::size(cell.size(), corner).V < 0) std::reverse(cell.begin(), cell.end());
     }
     return mesh;
 }
 
 /// The domains of a mesh whose cells all have the corners of `Domain`.
-template <class Domain, bool TotalLagrangian> Domains<Domain, TotalLagrangian> domains_of(const Lattice<2>& lattice, const PolygonCells& mesh) {
+template <class Domain, bool TotalLagrangian>
+Domains<Domain, TotalLagrangian> domains_of(const Lattice<2>& lattice, const PolygonCells& mesh) {
     typename Domains<Domain, TotalLagrangian>::Of of(mesh.corners.size());
     for (std::size_t i = 0; i < of.size(); ++i) {
         if (mesh.corners[i].size() != Domain::corners)
-            throw BadInput(std::string("--shape ") + Domain::name + ": domain " + std::to_string(i) + " has " + std::to_string(mesh.corners[i].size()) +
-                           " corners");
+            throw BadInput(std::string("--shape ") + Domain::name + ": domain " + std::to_string(i) + " has " +
+                           std::to_string(mesh.corners[i].size()) + " corners");
         std::copy(mesh.corners[i].begin(), mesh.corners[i].end(), of[i].begin());
     }
     return {lattice, mesh.points, std::move(of)};
@@ -56,7 +55,10 @@ Parallelograms<DomainR4, TotalLagrangian> rectangles_of(const Lattice<2>& lattic
     std::vector<Vec<2>> half;
     for (const std::vector<int>& cell : mesh.corners) {
         Vec<2> low = mesh.points[static_cast<std::size_t>(cell[0])], high = low;
-        for (const int c : cell) low = low.cwiseMin(mesh.points[static_cast<std::size_t>(c)]), high = high.cwiseMax(mesh.points[static_cast<std::size_t>(c)]);
+        for (const int c : cell) {
+            const Vec<2>& corner = mesh.points[static_cast<std::size_t>(c)];
+            low = low.cwiseMin(corner), high = high.cwiseMax(corner);
+        }
         half.push_back(0.5 * (high - low));
     }
     return {lattice, points, std::move(half)};

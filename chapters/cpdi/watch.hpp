@@ -17,8 +17,9 @@ inline bool edges_cross(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c, const
     return s * t < 0 && u * v < 0;
 }
 
-/// What is wrong with a domain, or "": corners in order about a body's particle, `h` the grid's cells. CPDI sees the grid at corners alone: a domain
-/// longer than three cells has cells between its corners that it does not touch, and another particle slips through (review 3.7).
+/// What is wrong with a domain, or "": corners in order about a body's particle, `h` the grid's cells. CPDI sees the grid at corners
+/// alone: a domain longer than three cells has cells between its corners that it does not touch, and another particle slips through
+/// (review 3.7).
 template <class Domain> std::string domain_fault(const Domain& x, const Vec<2>& h) {
     const std::size_t n = x.size();
     double twice_area = 0, longest = 0;
@@ -31,7 +32,8 @@ template <class Domain> std::string domain_fault(const Domain& x, const Vec<2>& 
     }
     std::ostringstream s;
     if (!(twice_area > 0)) return s << "is turned inside out: area " << twice_area / 2, s.str();
-    if (twice_area < 1e-6 * longest) return s << "has collapsed: area " << twice_area / 2 << ", longest edge " << std::sqrt(longest), s.str();
+    if (twice_area < 1e-6 * longest)
+        return s << "has collapsed: area " << twice_area / 2 << ", longest edge " << std::sqrt(longest), s.str();
     for (std::size_t c = 0; c < n; ++c)
         for (std::size_t k = c + 2; k < n && k - c < n - 1; ++k)
             if (edges_cross(x[c], x[(c + 1) % n], x[k], x[(k + 1) % n])) return "crosses itself";

@@ -62,7 +62,7 @@ struct Tlmpm {
                 const Mat<D> L = Fdot * p.F.inverse();                                    // 25
                 p.V = p.F.determinant() * p.V0;
                 body.law.update(p, L, dt);                                                // 26
-                p.x += dt * body.transfer.moving(p, v);                                                            // 28
+                p.x += dt * body.transfer.moving(p, v);                                   // 28
             });
         }
     }

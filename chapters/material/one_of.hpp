@@ -9,8 +9,8 @@ namespace detail {
 template <class Law, class Point> concept TellsAcross = requires(const Law& law, const Point& p) { law.sigma_zz(p); };
 }
 
-/// One of several laws without history. Every particle takes the same branch, which costs less than a nanosecond; a program that has
-/// one law names it as a type.
+/// One of several laws without history. Every particle takes the same branch, which the processor foresees; a program that has one law
+/// names it as a type.
 template <class... Laws> class OneOf {
 public:
     static constexpr const char* name = "one-of";
