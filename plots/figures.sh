@@ -2,7 +2,11 @@
 # figures.sh BUILD FIGURES: runs the programs of the figures and draws every recipe of this folder.
 set -eu
 build=$(cd "$1" && pwd); plots=$(cd "$(dirname "$0")" && pwd); mkdir -p "$2"; figures=$(cd "$2" && pwd)
-run() { name=$1; shift; echo "running $*"; program=$1; shift; "$build/$program" "$@" --quiet --out "$figures/data/$name"; }
+run() {
+    name=$1; shift; echo "running" $*; program=$1; shift
+    mkdir -p "$figures/data/$name" && echo $program $* >"$figures/data/$name/command"  # the gallery shows it
+    "$build/$program" --quiet --out "$figures/data/$name" "$@"
+}
 run mode1-flip usl_bar --cells 16 --ppc 2
 run mode1-pic usl_bar --cells 16 --ppc 2 --alpha 0
 for scheme in usl usf musl tlmpm; do run mode10-$scheme ${scheme}_bar --mode 10 --records 8000; done
@@ -115,16 +119,14 @@ for s in r4 q4 t3 polygon; do run domains-disks-$s cpdi_two_disks --shape cpdi-$
 
 # Variants side by side: error against run time of the segment, largest stable steps and stiff cases of the bar.
 segment() { printf ' -- mms_segment --G 0.05 --ppc 2 --repeat 5 %s' "$*"; }
-echo "comparing variants of mms_segment"
-"$build/compare" --cells 8,16,32,64,128 --quiet --fresh --out "$figures/data/segment" $(
+run segment compare --cells 8,16,32,64,128 --fresh $(
     segment '--scheme fem'; segment '--scheme fem --shape lagrange'; segment '--scheme tlmpm'; segment '--scheme tlmpm --shape bernstein'
     segment '--scheme tlmpm --shape cubic'; segment '--scheme tlmpm --transfer apic'; segment '--scheme tlmpm --shape cubic --transfer fmpm --order 4'
     segment '--scheme tlmpm --shape cubic --transfer consistent --points gauss'; segment '--scheme usl'; segment '--scheme usl --shape cpgimp'
     segment '--scheme usl --shape cpgimp --transfer fmpm'; segment '--scheme usl --shape cubic')
 cp "$figures/data/segment/work_precision.png" "$figures/segment_work_precision.png"
 cp "$figures/data/segment/convergence.png" "$figures/segment_convergence.png"
-echo "looking for the largest stable steps"
-"$build/stability" --quiet --tolerance 0.05 --contrast 1,1e2 --finest 256 --out "$figures/data/stability" -- contrast_bar --scheme usl \
+run stability stability --tolerance 0.05 --contrast 1,1e2 --finest 256 -- contrast_bar --scheme usl \
     -- contrast_bar --scheme usf -- contrast_bar --scheme musl -- contrast_bar --scheme tlmpm -- contrast_bar --scheme tlmpm --transfer apic \
     -- contrast_bar --scheme tlmpm --transfer fmpm -- contrast_bar --scheme musl --shape cubic -- contrast_bar --scheme usl --shape cpgimp
 cp "$figures/data/stability/stability_steps.png" "$figures/data/stability/stability_map.png" "$figures"
@@ -135,3 +137,4 @@ for recipe in "$plots"/*.gp; do
     (cd "$figures" && gnuplot "$recipe") || { echo "gnuplot failed on $recipe" >&2; exit 1; }
     echo "drew $figures/$name.png"
 done
+"$build/gallery" --plots "$plots" --figures "$figures"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what is missing of the packages the kit is built with; says what to install when it may not.
 set -eu
-packages="g++ make cmake libeigen3-dev libboost-program-options-dev libcgal-dev libpng-dev libgnuplot-iostream-dev gnuplot-nox libgtest-dev libbenchmark-dev"
+packages="g++ make cmake libeigen3-dev libboost-program-options-dev libcgal-dev libpng-dev libgnuplot-iostream-dev gnuplot-nox libgtest-dev libbenchmark-dev tidy"
 missing=""
 for p in $packages; do
     dpkg-query -W -f='${Status}' "$p" 2>/dev/null | grep -q "ok installed" || missing="$missing $p"
