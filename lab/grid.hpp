@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <new>
 #include <vector>
 
 #include "lab/math.hpp"
@@ -15,13 +17,17 @@ namespace mpm {
 template <int D> class Lattice {
 public:
     /// `origin` is the lower corner [length], `h` the cell size along each axis [length], `cells` the number of cells along each axis,
-    /// `per_cell` the nodes per cell and axis: 1, or 2 for quadratic Bernstein functions.
+    /// `per_cell` the nodes per cell and axis: 1, or 2 for quadratic Bernstein functions. Throws std::bad_alloc where an int cannot number
+    /// the nodes.
     Lattice(const Vec<D>& origin, const Vec<D>& h, const std::array<int, D>& cells, int per_cell = 1)
         : origin_(origin), h_(h), per_h_(h.cwiseInverse()), cells_(cells), per_cell_(per_cell) {
+        double size = 1;
         for (int d = 0; d < D; ++d) {
             upper_[d] = origin[d] + h[d] * this->cells(d);
             nodes_[at(d)] = this->cells(d) * per_cell + 1;
+            size *= nodes_[at(d)];
         }
+        if (size > std::numeric_limits<int>::max()) throw std::bad_alloc();
     }
     Lattice() : Lattice(Vec<D>::Zero(), Vec<D>::Ones(), {}) {}
 

@@ -6,6 +6,7 @@
 namespace mpm {
 
 /// Asks the system for large pages, where it has them; does nothing for small areas. To be called before the memory is first written to.
+/// Throws std::bad_alloc for more than the machine has: the system would grant it, and kill the run that uses it.
 void advise_large_pages(void* start, std::size_t bytes);
 
 /// Room for n elements of an empty vector, in large pages if it is large.

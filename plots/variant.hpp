@@ -42,6 +42,7 @@ public:
     /// `folder`: "" for that of the running program. Throws FileTrouble.
     explicit Programs(const std::string& folder);
 
+    const Words& names() const { return names_; }
     std::string path(const std::string& name) const;    // throws BadInput with the nearest name
     const CsvTable& describe(const std::string& name);  // the program's --describe; throws FileTrouble
     bool accepts(const std::string& name, const std::string& option);
