@@ -110,7 +110,8 @@ std::string column_label(const std::string& column) {
         {"x", "x [length]"}, {"y", "y [length]"}, {"vx", "velocity v_x [length/time]"}, {"vy", "velocity v_y [length/time]"},
         {"speed", "speed |v| [length/time]"}, {"sxx", "stress σ_{xx} [force/area]"}, {"syy", "stress σ_{yy} [force/area]"},
         {"sxy", "stress σ_{xy} [force/area]"}, {"szz", "stress σ_{zz} [force/area]"}, {"pressure", "pressure [force/area]"},
-        {"mises", "von Mises stress [force/area]"}, {"J", "volume ratio J [-]"}, {"V", "volume V [volume]"}, {"body", "body [-]"}};
+        {"mises", "von Mises stress [force/area]"}, {"J", "volume ratio J [-]"}, {"V", "volume V [volume]"}, {"body", "body [-]"},
+        {"T", "temperature T [temperature]"}};
     for (const auto& [name, text] : known)
         if (name == column) return text;
     std::string words = column;

@@ -22,6 +22,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 RunPlan plan_of(const Common& c, const Assembled& a, const std::string& folder, const std::vector<std::string>& columns) {
     RunPlan plan = whole_steps(c.t_end, c.dt > 0 ? c.dt : c.cfl * a.critical_dt, a.critical_dt);
     plan.dim = a.row.dim;
+    plan.limit = c.limit;
     plan.cfl = c.dt_from == "step" ? c.cfl : 0;
     plan.progress = !c.quiet;
     plan.records = c.records;
@@ -44,9 +45,9 @@ void rare_events(const NodeWatch& nodes) {
 }
 
 void report(const Assembled& a, const RunResult& r, const RunPlan& plan, double t_end) {
-    std::printf("%s, %s, %s: %d cells, h = %.4g, %ld particles, dt = %.4g (%.3g of h/(c + |v|)), %ld steps\n", a.row.scheme.c_str(),
+    std::printf("%s, %s, %s: %d cells, h = %.4g, %ld particles, dt = %.4g (%.3g of %s), %ld steps\n", a.row.scheme.c_str(),
                 a.row.shape.c_str(), a.row.transfer.c_str(), a.row.cells, a.row.h, a.row.particles, plan.dt, plan.dt / plan.critical_dt,
-                r.steps);
+                plan.limit.c_str(), r.steps);
     if (!r.stopped)
         for (const auto& [name, value] : a.facts(t_end)) std::printf("  %-36s %12.5g\n", name.c_str(), value);
     std::printf("  %-36s %12.3e\n  %-36s %12.3e\n", "energy drift / energy in play", r.energy_drift, "momentum unaccounted for / sum m|v|",
@@ -65,13 +66,14 @@ void report(const Assembled& a, const RunResult& r, const RunPlan& plan, double 
 void Common::declare(Options& o, const std::vector<std::string>& shapes, double default_t_end,
                      const SceneTraits& traits) {
     t_end = default_t_end;
+    limit = traits.limit;
     o.integers("cells", cells, "cells", between(3, 1000000), "cells across the body's longest side; a list runs each");
     o.integer("ppc", ppc, "-", between(1, 100), "particles per cell and direction");
     o.choice("shape", shape, shapes, "weighting function");
-    o.number("cfl", cfl, "-", above(0), "time step as a fraction of h/(c + |v|)");
+    o.number("cfl", cfl, "-", above(0), "time step as a fraction of " + limit);
     o.number("dt", dt, "time", at_least(0), "time step; 0: from --cfl");
     o.contradict("dt", "cfl");
-    o.choice("dt-from", dt_from, {"start", "step"}, "whole equal steps, or h/(c + |v|) afresh every step (review 2.7)");
+    o.choice("dt-from", dt_from, {"start", "step"}, "whole equal steps, or " + limit + " afresh every step (review 2.7)");
     o.contradict("dt", "dt-from");
     o.number("t-end", t_end, "time", above(0), "end of the run");
     if (traits.period) {
@@ -212,8 +214,8 @@ struct Report {
             if (!say) continue;
             const double particle_steps = static_cast<double>(plan.steps) * static_cast<double>(a.row.particles);
             std::printf(
-                "%d cells: wave and particle speed allow dt = %.4g; dt = %.4g, %ld steps, %ld particles, about %.2g MB and %.2g s\n", cells,
-                a.critical_dt, plan.dt, plan.steps, a.row.particles,
+                "%d cells: %s = %.4g; dt = %.4g, %ld steps, %ld particles, about %.2g MB and %.2g s\n", cells,
+                c.limit.c_str(), a.critical_dt, plan.dt, plan.steps, a.row.particles,
                 5 + 2e-6 * static_cast<double>(a.row.particles * a.row.bytes_per_particle), 5e-8 * a.row.dim * particle_steps);
         }
     }

@@ -20,6 +20,7 @@ struct SceneTraits {
     bool period = false;                   // it has a period: --periods is an option
     std::vector<std::string> colours{};    // in 2D: the columns of a snapshot, for --colour
     std::string colour{};                  // the one that is shown unless told
+    std::string limit = wave_limit;        // what --cfl is a fraction of
 };
 
 /// Options that every program has (DESIGN.md section 4).
@@ -32,6 +33,7 @@ struct Common {
     std::string out, label, config, plot = "none", format = "csv", colour, watch = "stop";
     int records = 4000, frames = 0, repeat = 1, threads = 1;
     bool smooth = false, quiet = false, dry_run = false;
+    std::string limit = wave_limit;  // what `cfl` is a fraction of
 
     void declare(Options& o, const std::vector<std::string>& shapes, double default_t_end, const SceneTraits& traits = {});
     /// `--threads`, for programs in two dimensions.
@@ -57,6 +59,7 @@ struct Description {
     std::vector<std::string> columns;
     double period = 0;  // [time]; the history's figure shows ten
     std::vector<Panel> panels = {};  // of the history's figure, above the energies; empty: one of all watched columns
+    bool moves = true;               // the figure shows energies and momentum
 };
 
 /// Runs every resolution and writes everything; returns the exit code.

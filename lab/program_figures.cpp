@@ -35,7 +35,8 @@ void history_figure(const Description& about, const Common& c, const Assembled& 
     const std::string first = "[0:" + number_text(window) + "]";
     std::vector<Panel> panels = about.panels;
     if (panels.empty()) panels.push_back(own_panel(about, first));
-    panels.push_back({"",
+    if (about.moves)
+        panels.push_back({"",
                       "t",
                       "time t [time]",
                       "energy [force length]",
@@ -43,7 +44,7 @@ void history_figure(const Description& about, const Common& c, const Assembled& 
                        {"strain", "strain", "lines dt (2,3) lc rgb '#40a040'"},
                        {"total", "total", "lines dt solid lc rgb 'black'"}},
                       first});
-    if (a.row.dim == 2) panels.push_back(momentum_panel(r.momentum_in_play, first));
+    if (about.moves && a.row.dim == 2) panels.push_back(momentum_panel(r.momentum_in_play, first));
     files.push_back(write_figure(folder, about.program, "history.csv", about.program + ": " + about.solves, panels));
     if (c.plot != "gif") add_picture(folder, about.program, c.plot, files);
 }

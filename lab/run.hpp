@@ -30,6 +30,9 @@ struct Simulation {
     std::function<void()> restore;                               // go back to the last good state
 };
 
+/// What the steps of a scene in motion are measured by.
+inline constexpr const char* wave_limit = "h/(c + |v|)";
+
 struct RunPlan {
     double dt = 0, t_end = 0;
     double cfl = 0;                              // > 0: dt = cfl h/(c + |v|) afresh every step (review 2.7)
@@ -41,6 +44,7 @@ struct RunPlan {
     std::vector<std::string> columns;            // names of `watch`
     int dim = 1;
     double critical_dt = 0;                      // h/(c + |v|) at the start, to name a likely cause
+    std::string limit = wave_limit;              // what critical_dt is
     bool progress = false;
 };
 

@@ -74,7 +74,8 @@ std::string point_data(const Snapshot& s) {
         if (name == "x" || name == "y" || name == "v" || name == "vx" || name == "vy") continue;
         scalars(out, name, s.rows(), Column(s, name));
     }
-    vectors(out, "v", s.rows(), [&](std::size_t i, int d) { return d == 0 ? vx(i) : vy(i); });
+    if (line || s.find("vx") < s.columns.size())
+        vectors(out, "v", s.rows(), [&](std::size_t i, int d) { return d == 0 ? vx(i) : vy(i); });
     for (const char* suffix : {"", "_smooth"}) tensors(out, s, suffix);
     return out;
 }
@@ -134,7 +135,10 @@ void write_vtk(const std::string& path, const std::string& title, const GridSnap
     for (std::size_t b = 0; b < bodies; ++b) {
         const std::string of_body = bodies > 1 ? std::string("_").append(std::to_string(b)) : "";
         const std::size_t first = b * n;
-        scalars(out, "m" + of_body, n, [&](std::size_t i) { return m(first + i); });
+        for (const char* name : {"m", "C", "T"})
+            if (s.find(name) < s.columns.size())
+                scalars(out, name + of_body, n, [&, value = Column(s, name)](std::size_t i) { return value(first + i); });
+        if (s.find("m") == s.columns.size()) continue;
         vectors(out, "v" + of_body, n, [&](std::size_t i, int d) {
             const double mass = m(first + i);
             return mass > 0 ? (d == 0 ? px : py)(first + i) / mass : 0.0;

@@ -117,6 +117,16 @@ done
 for d in conforming boxes; do run domains-$d cpdi_vortex --domains $d --ppc 2 --frames 2 --watch warn || [ $? -eq 3 ]; done
 for s in r4 q4 t3 polygon; do run domains-disks-$s cpdi_two_disks --shape cpdi-$s --cells 40 --t-end 3.8 --frames 2; done
 
+# Heat: the bar of figure 51 and the plate of figure 52, line 10 as printed and mended.
+for form in printed mended; do
+    run heat-bar-$form heat_bar --form $form --ppc 2 --dt 8e-5 --frames 20 --records 50
+    run heat-bar-$form-cells heat_bar --form $form --ppc 2 --cells 10,20,40,80,160 --records 10
+done
+run heat-bar heat_bar --dt 8e-5 --frames 20 --records 50
+run heat-plate heat_plate --dt 1e-4 --frames 1 --records 50
+run heat-plate-cells heat_plate --cells 10,20,40 --records 10
+run heat-plate-cells-printed heat_plate --form printed --cells 10,20,40 --records 10
+
 # Variants side by side: error against run time of the segment, largest stable steps and stiff cases of the bar.
 segment() { printf ' -- mms_segment --G 0.05 --ppc 2 --repeat 5 %s' "$*"; }
 run segment compare --cells 8,16,32,64,128 --fresh $(
