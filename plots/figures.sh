@@ -127,6 +127,12 @@ run heat-plate heat_plate --dt 1e-4 --frames 1 --records 50
 run heat-plate-cells heat_plate --cells 10,20,40 --records 10
 run heat-plate-cells-printed heat_plate --form printed --cells 10,20,40 --records 10
 
+# Thermo-mechanics: a clamped bar, a free plate, a sheared block.
+run thermal-bar thermal_bar_clamped --records 500
+run thermal-plate thermal_expansion --records 200
+run thermal-plate-rest thermal_expansion --start rest --records 200
+for H in 0 500e6; do run adiabatic-$H adiabatic_shear --H $H --cells 3 --cfl 0.5 --records 100; done
+
 # Variants side by side: error against run time of the segment, largest stable steps and stiff cases of the bar.
 segment() { printf ' -- mms_segment --G 0.05 --ppc 2 --repeat 5 %s' "$*"; }
 run segment compare --cells 8,16,32,64,128 --fresh $(

@@ -66,7 +66,7 @@ template <int Dim> struct HotBody : HotBodySettings {
     HotBody() = default;
     explicit HotBody(const HotBodySettings& s) : HotBodySettings(s), end_(s.film * s.length / s.k), top_(s.film * s.height / s.k) {}
 
-    Law law() const { return {k, c, rho, source}; }
+    Law law() const { return {{k, c, source}, rho}; }
     Vec<D> size() const { return D == 1 ? Vec<D>::Constant(length) : Vec<D>(Vec<2>(length, height).head<D>()); }
     /// Time in which heat crosses the body, L^2/kappa: what --periods counts, though nothing swings.
     double crossing_time() const { return size().maxCoeff() * size().maxCoeff() / law().diffusivity(); }
