@@ -87,11 +87,18 @@ template <class Point> std::string place(std::size_t number, const Point& p) {
 }
 }  // namespace detail
 
-/// The first particle that is turned inside out or not a number. Positions are checked where weights are made.
+/// The first particle that is turned inside out or not a number, or of which a law says `trouble(p)`. Positions are checked where weights
+/// are made.
 template <int D, class Point, class Node, class Law> Trouble check_particles(const Matter<D, Point, Node, Law>& body) {
     const auto bad = [&](std::size_t i) { return !(body.points[i].V > 0 && body.points[i].V < 1e300); };
     std::size_t first = first_where(body.grid.threads(), body.points.size(), bad);
-    if (first == body.points.size()) return {};
+    if (first == body.points.size()) {
+        if constexpr (requires(const Point& p) { body.law.trouble(p); })
+            for (std::size_t i = 0; i < body.points.size(); ++i)
+                if (const Trouble t = body.law.trouble(body.points[i]))
+                    return {t.cause, detail::place(body.number(i), body.points[i]) + " " + t.reason};
+        return {};
+    }
     for (std::size_t i = first + 1; i < body.points.size(); ++i)
         if (bad(i) && body.number(i) < body.number(first)) first = i;
     const Point& p = body.points[first];

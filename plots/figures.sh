@@ -132,6 +132,11 @@ run thermal-bar thermal_bar_clamped --records 500
 run thermal-plate thermal_expansion --records 200
 run thermal-plate-rest thermal_expansion --start rest --records 200
 for H in 0 500e6; do run adiabatic-$H adiabatic_shear --H $H --cells 3 --cfl 0.5 --records 100; done
+# Gases and liquids: the shock tube as in the review, with smooth functions, refined, in motion.
+run sod-hat-plain shock_tube --c0 0 --c1 0 --frames 1
+for s in hat cpgimp; do run sod-$s shock_tube --shape $s --frames 1; done
+for s in hat cpgimp cubic; do run sod-order-$s shock_tube --shape $s --cells 100,200,400,800,1200 --records 20; done
+run sod-cpgimp-film shock_tube --shape cpgimp --frames 40
 
 # Variants side by side: error against run time of the segment, largest stable steps and stiff cases of the bar.
 segment() { printf ' -- mms_segment --G 0.05 --ppc 2 --repeat 5 %s' "$*"; }
@@ -151,6 +156,6 @@ export GNUPLOT_LIB="$plots"
 for recipe in "$plots"/*.gp; do
     name=$(basename "$recipe" .gp)
     (cd "$figures" && gnuplot "$recipe") || { echo "gnuplot failed on $recipe" >&2; exit 1; }
-    echo "drew $figures/$name.png"
+    echo "drew $name in $figures"
 done
 "$build/gallery" --plots "$plots" --figures "$figures"
