@@ -28,9 +28,9 @@ struct ExactTube {
 /// The snapshot of the particles with `rho_exact, v_exact, p_exact, e_exact`.
 Snapshot with_exact(const Snapshot& particles, const ExactTube& exact, double t);
 
-/// The nodes with the columns x, m, mv, rho, v, p, e and the exact values. Velocity, pressure and energy are mapped with the particles' masses
-/// (review 6.1.4), the density is mass over mapped volume. Nodes without mass are left out,
-/// and all of them while a particle is outside the grid or too long for its weighting function.
+/// The nodes with the columns x, m, mv, rho, v, p, e and the exact values. Velocity, pressure and energy are mapped with the particles'
+/// masses (review 6.1.4), the density is mass over mapped volume. Nodes without mass are left out, and all of them while a particle is
+/// outside the grid or too long for its weighting function.
 GridSnapshot gas_on_nodes(const Snapshot& particles, const WeightsAt& weights, const GridSnapshot& grid, const ExactTube& exact, double t);
 
 /// Mean absolute differences over the length of the tube, L1: rho, v, p, e, with `suffix` behind their names. `weight` is the column that

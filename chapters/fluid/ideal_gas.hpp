@@ -12,10 +12,10 @@ namespace mpm {
 
 /// sigma = -(p + q) I, p = (gamma - 1) rho e.
 ///
-/// Mended: the increments of (5.33) and (5.34) already hold dt, so the printed factor dt goes; and mass is conserved if the density is m/V
-/// and the work that of the change of 1/rho, so that (5.33) divides by the density at t. Its coefficients are c0 and c1. The work takes
-/// the mean of the stresses at t and t + dt: forces at t meet the velocities half a step before and after, and so the kinetic energy loses
-/// just what the internal energy gains. With the stress at t + dt alone, as printed, the sum drifts by the order of dt.
+/// Mended: the increments of (5.33) and (5.34) already hold dt, so the printed factor dt goes; and the work is that of the change of 1/rho,
+/// so that (5.33) divides by the density at t. The volume is m/rho, not det F V0 (newtonian.hpp tells why). The coefficients of (5.35) are
+/// c0 and c1. The work takes the mean of the stresses at t and t + dt: forces at t meet the velocities half a step before and after, and so
+/// the kinetic energy loses just what the internal energy gains. With the stress at t + dt alone, as printed, the sum drifts with dt.
 struct IdealGas {
     static constexpr const char* name = "ideal-gas";
     static constexpr std::array<const char*, 4> columns{"rho", "p", "e", "q"};  // of snapshots
@@ -45,11 +45,12 @@ struct IdealGas {
         p.sigma = Mat<Point::D>(-pressure * identity<Point::D>());
     }
 
+    /// Sets the volume too.
     template <class Point, class Gradient> void update(Point& p, const Gradient& L, double dt) const {
-        static_cast<void>(dt);  // the change of volume holds it
-        const double before = -p.sigma(0, 0), change = p.V / p.m - 1 / p.rho, rate = L.trace();
+        const double before = -p.sigma(0, 0), rate = L.trace(), change = dt * rate / p.rho;  // of 1/rho
         const double a = sound_speed(1, (gamma - 1) * p.e);
-        p.rho = p.m / p.V;                                                                   // (5.34)
+        p.rho /= 1 + dt * rate;                                                              // (5.34)
+        p.V = p.m / p.rho;
         p.q = rate < 0 ? p.rho * Le * (c0 * Le * rate * rate - c1 * a * rate) : 0;           // (5.35)
         p.e = (p.e - ((1 - theta) * before + theta * p.q) * change) / (1 + theta * (gamma - 1) * p.rho * change);  // (5.33)
         p.sigma = Mat<Point::D>(-(pressure(p.rho, p.e) + p.q) * identity<Point::D>());       // (5.32)

@@ -75,7 +75,7 @@ TEST(Riemann, IsItsOwnMirrorImageAndMovesWithTheFrame) {
     }
 }
 
-// s = p/rho^gamma and u + 2 c/(gamma - 1) stay what they were through the fan and in the escaping front, whose end is at u + 2 c/(gamma - 1).
+// p/rho^gamma and u + 2 c/(gamma - 1) stay what they were through the fan, whose end, the escaping front, has the velocity of the latter.
 TEST(Riemann, ExpandsIntoVacuumByTheRiemannInvariants) {
     const GasState gas{2, 0.3, 5};
     const double c = gas.sound_speed(gamma), front = gas.u + 2 * c / (gamma - 1);

@@ -71,11 +71,11 @@ TEST(ShockTube, TheCentredWorkConservesEnergyBest) {
 // A strong shock and colliding streams run; expansions by more than the particles can follow end with a name, milder ones run.
 TEST(ShockTube, OtherProblemsRunOrEndWithAName) {
     const Words strong{"--p-left", "1000", "--rho-right", "1", "--p-right", "0.01", "--t-end", "0.012", "--cells", "100,200"};
-    const Words collision{"--rho-left", "5.99924",     "--u-left",  "19.5975", "--p-left",    "460.894", "--rho-right", "5.99242", "--u-right",
-                          "-6.19633",   "--p-right",   "46.095",    "--length", "2",          "--diaphragm", "0.6",     "--t-end",   "0.035",
-                          "--cells",    "100,200"};
-    const Words mild{"--u-left", "-1", "--p-left", "0.4",     "--rho-right", "1",   "--u-right", "1", "--p-right", "0.4", "--ppc", "6",
-                     "--t-end",  "0.15", "--cells", "100,200"};
+    const Words collision{"--rho-left", "5.99924", "--u-left",  "19.5975",  "--p-left", "460.894", "--rho-right", "5.99242",
+                          "--u-right",  "-6.19633", "--p-right", "46.095", "--length", "2", "--diaphragm", "0.6",
+                          "--t-end",    "0.035",   "--cells",   "100,200"};
+    const Words mild{"--u-left", "-1", "--p-left", "0.4", "--rho-right", "1", "--u-right", "1", "--p-right", "0.4",
+                     "--ppc",    "6",  "--t-end",  "0.15", "--cells", "100,200"};
     for (const Words& problem : {strong, collision, mild})
         for (const char* shape : {"cpgimp", "cubic"}) {
             Words words = problem;
@@ -114,7 +114,8 @@ TEST(ShockTube, RefusesWhatMeansNothing) {
                                               {{"--t-end", "1"}, {"--t-end", "reach an end"}},
                                               {{"--gamma", "1"}, {"--gamma", "1 excluded"}},
                                               {{"--p-left", "-1"}, {"--p-left", "-1"}},
-                                              {{"--diaphragm", "0.001", "--rho-right", "0", "--cells", "10", "--t-end", "1e-3"}, {"--diaphragm"}},
+                                              {{"--diaphragm", "0.001", "--rho-right", "0", "--cells", "10", "--t-end", "1e-3"},
+                                               {"--diaphragm"}},
                                               {{"--shape", "bernstein"}, {"--shape", "hat"}}}) {
         const Folder folder;
         expect_one_line(folder.run(program, words), 2, parts);

@@ -1,0 +1,171 @@
+/// Viscous flow between two plates that starts from rest: driven by the upper plate (Couette) or by a body force (Poiseuille), against the
+/// exact series.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "chapters/fluid/liquid.hpp"
+#include "lab/boundary.hpp"
+#include "lab/figure.hpp"
+#include "lab/fill.hpp"
+#include "lab/norms.hpp"
+#include "lab/record.hpp"
+
+namespace mpm {
+
+struct ChannelSettings : LiquidSettings {
+    double height = 1, U = 1;  // between the plates; velocity
+    std::string flow = "couette";
+
+    ChannelSettings() { kappa = 100, rho = 1, mu = 1; }
+    void declare(Options& o) {
+        LiquidSettings::declare(o);
+        o.number("height", height, "length", above(0), "distance of the plates; --cells go across it");
+        o.number("U", U, "length/time", above(0), "velocity of the upper plate, or of the middle of the steady Poiseuille flow");
+        o.choice("flow", flow, {"couette", "poiseuille"}, "driven by the upper plate, or by a body force between plates at rest");
+    }
+    double nu() const { return mu / rho; }
+    bool couette() const { return flow == "couette"; }
+    double body_force() const { return couette() ? 0 : 8 * nu() * U / (height * height); }  // acceleration along the channel
+};
+
+/// The flow does not change along the channel, and here it cannot: the nodes of each row of the grid move as one, with the mean velocity
+/// of their masses. That is the flow in a channel without ends, and what is tested is how shear spreads across the cells, while
+/// particles pass from cell to cell along them. Two columns of cells start filled; the grid is as long as the way of the fastest.
+struct Channel : ChannelSettings {
+    static constexpr int D = 2;
+    static constexpr const char* name = "channel";
+    static constexpr const char* solves = "flow between two plates, started from rest";
+    static constexpr const char* reference = "exact";
+    static constexpr std::array<const char*, 2> columns{"v_mean", "v_mean_exact"};
+    static constexpr bool may_break = true;  // shear parts the ends of the two columns, and nothing is lost by it
+    using Law = Newtonian;
+
+    double h = 1, t_end = 0.1;  // [length], [time]
+
+    Channel() = default;
+    Channel(const ChannelSettings& settings, int cells, double end) : ChannelSettings(settings), h(settings.height / cells), t_end(end) {}
+
+    Law law() const { return liquid(); }
+    double wave_speed() const { return law().signal_speed(law().wave_speed(), h); }
+    double speed() const { return U; }
+    Animated animated() const { return {"x", "y", "vx", "x [length]", "y [length]", "velocity [length/time]"}; }
+
+    /// Velocity at height y after t > 0, and its mean: the steady flow less the series of what is still missing.
+    double exact(double y, double t) const {
+        using std::numbers::pi;
+        double v = couette() ? U * y / height : 4 * U * y * (height - y) / (height * height);
+        for_terms(t, [&](int n, double decay) {
+            const double s = std::sin(n * pi * y / height) * decay;
+            if (couette()) v += 2 * U / (n * pi) * (n % 2 ? -s : s);
+            else if (n % 2) v -= 32 * U / std::pow(n * pi, 3) * s;
+        });
+        return v;
+    }
+    double exact_mean(double t) const {
+        using std::numbers::pi;
+        double v = couette() ? U / 2 : 2 * U / 3;
+        for_terms(t, [&](int n, double decay) {
+            if (n % 2) v -= couette() ? 4 * U / std::pow(n * pi, 2) * decay : 64 * U / std::pow(n * pi, 4) * decay;
+        });
+        return v;
+    }
+
+    static constexpr int filled = 2, outside = 2;  // columns of cells with particles; without, at both ends
+    Lattice<2> lattice(int cells, int per_cell) const {
+        const double way = std::ceil(U * t_end / h);
+        if (!(way * cells < 1e7)) throw BadInput("--U, --t-end: the flow goes over " + number_text(way) + " cells");
+        return {Vec<2>(-outside * h, 0), Vec<2>::Constant(h), {filled + 2 * outside + static_cast<int>(way), cells}, per_cell};
+    }
+    template <class Point> std::vector<Point> particles(int cells, int ppc) const {
+        std::vector<Point> all;
+        const double s = h / ppc;
+        for (int j = 0; j < cells * ppc; ++j)
+            for (int i = 0; i < filled * ppc; ++i) {
+                Point& p = all.emplace_back();
+                p.X = p.x = Vec<2>((i + 0.5) * s, (j + 0.5) * s);
+                p.V0 = p.V = s * s;
+                p.m = rho * p.V0;
+            }
+        return all;
+    }
+
+    template <class Body> void load(Body& body, double) const { force().load(body.grid); }
+    template <class Grid, class Field> void fix(Grid& grid, Field field, double t) const {
+        const int wide = grid.lattice().nodes(0), high = grid.lattice().nodes(1);
+        for (int j = 0; j < high; ++j) {
+            Vec<2> mv = Vec<2>::Zero();
+            double m = 0;
+            for (int i = 0; i < wide; ++i) mv += grid[j * wide + i].*field, m += grid[j * wide + i].m;
+            const Vec<2> v = j == 0 ? Vec<2>(0, 0) : j == high - 1 ? Vec<2>(lid(t), 0) : Vec<2>(m > 0 ? mv / m : mv);
+            for (int i = 0; i < wide; ++i) grid[j * wide + i].*field = grid[j * wide + i].m * v;
+        }
+    }
+    template <class Bodies> Supply supply(const Bodies& bodies, double t, double dt) const {
+        Supply sum;
+        for (const auto* body : bodies) {
+            const auto& grid = body->grid;
+            const int wide = grid.lattice().nodes(0), top = grid.size() - wide;
+            sum += force().supply(grid, dt);
+            for (int i = 0; i < wide; ++i)
+                for (const int axis : {0, 1}) {
+                    sum.add(held_impulse(grid[i], axis, 0, dt), axis, 0);
+                    const double v = axis == 0 ? lid(t + dt) : 0;
+                    sum.add(held_impulse(grid[top + i], axis, v, dt), axis, v);
+                }
+        }
+        return sum;
+    }
+
+    template <class Points> std::array<double, 2> watch(const Points& points, double t) const {
+        double m = 0, mv = 0;
+        for (const auto& p : points) m += p.m, mv += p.m * p.v[0];
+        return {mv / m, t > 0 ? exact_mean(t) : 0};
+    }
+
+    /// Root mean square difference of the particles' velocities from the series at the end, by U; and how far the density has moved.
+    struct Observer {
+        const Channel& scene;
+        double square = 0, worst = 0, compression = 0;
+
+        template <class Points> void sample(const Points& points, double t, double energy) {
+            if (std::isnan(energy)) return;
+            for (const auto& p : points) {
+                const double error = std::abs(p.v[0] - scene.exact(p.x[1], t)) / scene.U;
+                square += error * error / static_cast<double>(points.size());
+                worst = std::max(worst, error);
+                compression = std::max(compression, std::abs(p.V / p.V0 - 1));
+            }
+        }
+        bool wants_energy(double t, double t_end) const { return t > 0 && t >= t_end * (1 - 1e-12); }
+        std::vector<NamedError> errors(double) const { return {{"v_rms", std::sqrt(square)}, {"v_max", worst}}; }
+        std::vector<std::pair<std::string, double>> facts(double t_end) const {
+            return {{"nu t/H^2 at the end", scene.nu() * t_end / (scene.height * scene.height)},
+                    {"rms error of velocity / U", std::sqrt(square)},
+                    {"largest error of velocity / U", worst},
+                    {"largest |J - 1|", compression}};
+        }
+    };
+
+private:
+    Gravity<2> force() const { return {Vec<2>(body_force(), 0)}; }
+    /// The plate is at rest at t = 0: FLIP carries changes of nodal velocities, and without the first one, particles beside the plate would
+    /// stay behind for ever.
+    double lid(double t) const { return couette() && t > 0 ? U : 0; }
+    /// visit(n, exp(-(n pi)^2 nu t/H^2)) for n = 1, 2, ... while that is not nothing; at most 1e5 terms, for very early times.
+    template <class Visit> void for_terms(double t, Visit&& visit) const {
+        const double rate = std::numbers::pi * std::numbers::pi * nu() * t / (height * height);
+        for (int n = 1; n <= 100000; ++n) {
+            const double decay = std::exp(-n * (n * rate));
+            if (decay < 1e-18) return;
+            visit(n, decay);
+        }
+    }
+};
+
+}  // namespace mpm
