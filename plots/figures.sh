@@ -56,6 +56,9 @@ for cfl in 0.12 0.06 0.03 0.015 0.0075; do run crossing-cfl-$cfl cell_crossing -
 run projection-review velocity_projection --cells 3 --ppc 1
 run projection-shifted velocity_projection --ppc 3 --jitter 0.8
 for k in 1 2 4 8 16 32 64; do run projection-fmpm-$k velocity_projection --ppc 3 --jitter 0.8 --transfer fmpm --order $k; done
+# Moving least squares and the iMPM.
+run mls-linear mls_approximation
+run mls-sine mls_approximation --function sine --points 0 --cells 20,40,80,160
 for case in cells bounds mesh voronoi image; do
     run fill-$case fill_demo --case $case --plot png
     cp "$figures/data/fill-$case/fill_$case.png" "$figures"

@@ -10,6 +10,7 @@
 
 #include "chapters/explicit/flip.hpp"
 #include "chapters/improved/consistent.hpp"
+#include "chapters/improved/mls.hpp"
 #include "chapters/weighting/shapes.hpp"
 #include "chapters/weighting/tensor.hpp"
 #include "lab/body.hpp"
@@ -29,30 +30,20 @@ struct Settings {
 /// The field v(x) = x of review figure 55; its gradient is 1/time.
 inline double field(double x) { return x; }
 
-/// Linear moving least squares at the nodes (review D.3, the projection of iMPM, 5.39), cubic spline weight (D.6) with the support d = 2 h
-/// of review D.2. A node that sees fewer than two particles has no line through them: its velocity is not a number.
+/// Linear moving least squares at the nodes (mls.hpp; the projection of iMPM, 5.39), with the support 2 h of review D.2. A node that sees
+/// fewer than two particles has no line through them: its velocity is not a number.
 struct Mls : Flip {
     static constexpr const char* name = "mls";
 
     template <class Body, class Fix> void nodal_velocities(Body& body, Fix&&) const {
-        const double d = 2 * body.grid.lattice().h()[0];
+        const MlsChoice choice{1, 2};
+        NearPoints<1> near;
+        near.fill(body.grid.lattice(), body.points);
         for (int I = 0; I < body.grid.size(); ++I) {
-            double s0 = 0, s1 = 0, s2 = 0, v0 = 0, v1 = 0;  // moments about the node: sum w r^k, sum w r^k v
-            for (const auto& p : body.points) {
-                const double r = (p.x - body.grid.lattice().position(I))[0] / d, w = weight(std::abs(r));
-                s0 += w, s1 += w * r, s2 += w * r * r;
-                v0 += w * p.v[0], v1 += w * r * p.v[0];
-            }
-            const double determinant = s0 * s2 - s1 * s1;
-            const bool line = determinant > 1e-12 * s0 * s0;
-            body.grid[I].v[0] = body.grid[I].v_new[0] = line ? (s2 * v0 - s1 * v1) / determinant : std::numeric_limits<double>::quiet_NaN();
+            const auto fit = mls_at<1>(choice, near, body.points, body.grid.lattice().position(I), [](const auto& p) { return p.v; });
+            const double v = fit.degree == 1 ? fit.values[0] : std::numeric_limits<double>::quiet_NaN();
+            body.grid[I].v[0] = body.grid[I].v_new[0] = v;
         }
-    }
-
-private:
-    static double weight(double r) {
-        if (r <= 0.5) return 2.0 / 3 + 4 * r * r * (r - 1);
-        return r < 1 ? 4.0 / 3 * (1 - r) * (1 - r) * (1 - r) : 0;
     }
 };
 
