@@ -21,6 +21,7 @@ const std::vector<Choice> choices{{"usl", UpdatedShapes::names(), usl_segment},
                                   {"usf", UpdatedShapes::names(), usf_segment},
                                   {"musl", UpdatedShapes::names(), musl_segment},
                                   {"tlmpm", AllShapes::names(), tlmpm_segment},
+                                  {"impm", {Hat::name}, impm_segment},
                                   {"fem", ElementShapes::names(), fem_segment}};
 
 /// What the scheme cannot do with the options, each by itself allowed. Throws BadInput.
@@ -37,6 +38,12 @@ void check(const Options& options, SegmentSettings& s, const Choice& choice) {
         throw BadInput("--transfer, --alpha: --scheme fem has no particles to carry velocities");
     if (s.stress != "musl" && s.scheme != "tlmpm") throw BadInput("--stress: only --scheme tlmpm has two flavours, not " + s.scheme);
     s.transfer.check(s.common.ppc);
+    if (s.scheme == "impm") {
+        if (s.transfer.name != "flip") throw BadInput("--transfer " + s.transfer.name + ": --scheme impm fits velocities itself; allowed: flip");
+        if (!options.given("force")) s.scene.force = "nodes";  // the mass of its nodes is not made of m_p
+    } else if (const std::string name = s.impm.changed(); !name.empty()) {
+        throw BadInput("--" + name + ": only --scheme impm has it, not " + s.scheme);
+    }
     if (elements && options.given("points") && s.scene.placing != "gauss") throw BadInput("--points mid: " + scheme + " has Gauss points");
     if (elements) s.scene.placing = "gauss";
     if (gimp && s.scene.placing == "gauss" && s.common.ppc > 2)
@@ -59,6 +66,7 @@ int run(int argc, char** argv) {
     options.choice("stress", s.stress, {"musl", "usl"}, "of --scheme tlmpm: velocities of the stress update mapped twice (musl) or not (usl)");
     s.scene.declare(options);
     s.transfer.declare(options);
+    s.impm.declare(options, 1, "of --scheme impm: ");
     s.common.declare(options, shapes, s.scene.period(), {.period = true});
     options.parse(argc, argv);
     if (answered(options, program)) return 0;

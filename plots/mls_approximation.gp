@@ -28,7 +28,7 @@ set yrange [3e-10:0.3]
 set format y '10^{%T}'
 set key bottom right Left reverse samplen 2.5
 e(basis) = stringcolumn('basis') eq basis ? column('l2') : NaN
-set label 1 'order 2' at 0.0066,5.5e-4 tc rgb '#606060'
+set label 1 'order 2' at 0.0063,1.3e-3 tc rgb '#606060'
 plot 'data/mls-sine/convergence.csv' using (column('h')):(e('shepard')) with linespoints lt 2 pt 4 ps 1.6 title 'constant', \
      '' using (column('h')):(e('linear')) with linespoints lt 3 pt 6 ps 1.6 title 'linear', \
      '' using (column('h')):(e('quadratic')) with linespoints lt 5 pt 8 ps 1.6 title 'quadratic', \

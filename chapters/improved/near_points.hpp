@@ -36,7 +36,9 @@ public:
         for (int d = 0; d < D; ++d) n *= lattice_.cells(d);
         return n;
     }
-    /// Points in a cell; cells run fastest along the first axis.
+    /// The cell of a point; cells run fastest along the first axis.
+    int cell(std::size_t point) const { return static_cast<int>(cell_[point]); }
+    /// Points in a cell.
     std::size_t count(int cell) const { return start_[static_cast<std::size_t>(cell) + 1] - start_[static_cast<std::size_t>(cell)]; }
 
     /// Visits the numbers of all points within `reach` along each axis, and some beyond.

@@ -32,6 +32,7 @@ TEST(MmsSegment, RunsEverySchemeAndShape) {
                                            {"usf", {"hat", "cubic"}},
                                            {"musl", {"hat", "cpgimp"}},
                                            {"tlmpm", {"hat", "ugimp", "cpgimp", "quadratic", "cubic", "bernstein"}},
+                                           {"impm", {"hat"}},
                                            {"fem", {"hat", "lagrange"}}};
     for (const auto& [scheme, shapes] : all)
         for (const std::string& shape : shapes) {
@@ -85,6 +86,9 @@ TEST(MmsSegment, RefusesWhatDoesNotGoTogether) {
              {{"--scheme", "fem", "--alpha", "0.5"}, {"--alpha", "fem"}},
              {{"--scheme", "musl", "--formulation", "updated"}, {"--formulation", "musl"}},
              {{"--shape", "cpgimp", "--points", "gauss", "--ppc", "3"}, {"--points gauss", "cpgimp", "1 or 2"}},
+             {{"--scheme", "impm", "--shape", "cubic"}, {"--shape cubic", "impm", "hat"}},
+             {{"--scheme", "impm", "--transfer", "apic"}, {"--transfer apic", "impm"}},
+             {{"--scheme", "musl", "--support", "2"}, {"--support", "impm", "musl"}},
              {{"--G", "0.32"}, {"--G", "0.32", "0.318"}},
              {{"--G", "0.2", "--mode", "2"}, {"--G", "--mode 2", "0.159"}},
              {{"--nu", "0.5"}, {"--nu", "0.5"}},
