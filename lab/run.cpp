@@ -190,7 +190,7 @@ private:
         std::snprintf(text, sizeof text,
                       ratio > 1 ? "; likely cause: the time step is %.3g times %s" : "; the time step is %.3g of %s, so look at the scheme",
                       ratio, plan_.limit.c_str());
-        if (trouble.cause != "numerical-fracture" && trouble.cause != "bodies-passed-through") trouble.reason += text;
+        if (trouble.cause != "numerical-fracture" && trouble.cause != "bodies-passed-through" && !sim_.any_step) trouble.reason += text;
     }
     double step_ratio() const { return plan_.cfl > 0 ? plan_.cfl : plan_.dt / plan_.critical_dt; }
     static std::string percent(double part) {

@@ -28,6 +28,7 @@ struct Simulation {
     std::function<Snapshot()> domains;                           // corners of the particles' domains; empty if they have none
     std::function<void()> keep;                                  // remember this state as good
     std::function<void()> restore;                               // go back to the last good state
+    bool any_step = false;                                       // the method is implicit: h/(c + |v|) does not limit its step
 };
 
 /// What the steps of a scene in motion are measured by.
