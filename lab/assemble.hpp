@@ -51,6 +51,8 @@ template <class Scene, class Matter> struct Problem {
     double cutoff = 0;  // the scheme's, if it has one [mass]
     std::function<Mapping(std::size_t body)> mapping;  // of the weighting function, for --smooth
     std::function<Trouble()> shapes_trouble;           // of weighting functions that can fail, e.g. with domains
+    std::function<double()> lost_in_coupling;          // energy so far, e.g. to friction
+    std::function<Supply()> coupling_supply;           // of walls, since the last call
     typename Scene::Observer observer;
 
     AllPoints<Matter> points() const { return AllPoints<Matter>(bodies); }
@@ -65,6 +67,7 @@ template <class Scene, class Matter> struct Problem {
     Measures measure() const {
         Measures sum;
         for (const Matter* body : bodies) add_measures(*body, sum);
+        if (lost_in_coupling) sum.dissipated += lost_in_coupling();
         return sum;
     }
     Trouble check() const {
@@ -88,6 +91,7 @@ template <class Scene, class Matter> struct Problem {
     Supply supply(double t, double dt) {
         Supply sum;
         if constexpr (requires { scene.supply(bodies, t, dt); }) sum = scene.supply(bodies, t, dt);
+        if (coupling_supply) sum += coupling_supply();
         for (const Matter* body : bodies) {
             if (watches_nodes) nodes.look(*body, cutoff);
             if constexpr (requires { scene.held_force(body->grid); }) {
@@ -200,10 +204,10 @@ template <class Matter, class Scene>
     return all;
 }
 
-/// `make_shape(lattice, points)` gives a body's weighting function.
-template <class Shape, class Scheme, class Scene, class Transfer, class MakeShape>
+/// `make_shape(lattice, points)` gives a body's weighting function. A coupling that takes energy tells `dissipated`, one with walls `supply`.
+template <class Shape, class Scheme, class Scene, class Transfer, class MakeShape, class Coupling = Free>
 [[gnu::cold]] Assembled assemble(const Scheme& scheme, const Scene& scene, const Transfer& transfer, const ShapeFacts& facts, int cells,
-                                 const Common& common, MakeShape&& make_shape) {
+                                 const Common& common, MakeShape&& make_shape, const Coupling& coupling = {}) {
     constexpr int D = Scene::D;
     using Law = typename Scene::Law;
     using Point = PointFor<Scheme, Law, Transfer, D>;
@@ -213,10 +217,11 @@ template <class Shape, class Scheme, class Scene, class Transfer, class MakeShap
     struct Moved {
         Scheme scheme;
         std::vector<OneBody> bodies;
+        [[no_unique_address]] Coupling coupling;
     };
     const Lattice<D> lattice = scene.lattice(cells, facts.per_cell);
     auto problem = std::make_shared<Problem<Scene, Substance>>(scene);
-    auto moved = std::make_shared<Moved>(Moved{scheme, {}});
+    auto moved = std::make_shared<Moved>(Moved{scheme, {}, coupling});
     for (Substance& matter : matter_of<Substance>(scene, lattice, cells, common.ppc)) {
         Shape shape = make_shape(lattice, matter.points);
         moved->bodies.push_back(OneBody{std::move(matter), std::move(shape), transfer});
@@ -232,6 +237,9 @@ template <class Shape, class Scheme, class Scene, class Transfer, class MakeShap
                 if (Trouble trouble = body.shape.trouble(body)) return trouble;
             return Trouble{};
         };
+    if constexpr (requires { moved->coupling.dissipated(); })
+        problem->lost_in_coupling = [moved] { return moved->coupling.dissipated(); };
+    if constexpr (requires { moved->coupling.supply(); }) problem->coupling_supply = [moved] { return moved->coupling.supply(); };
     Combination combination{facts, Scheme::name, transfer.name, Shape::total_lagrangian, 0};
     if constexpr (requires { scheme.cutoff; }) combination.cutoff = scheme.cutoff;
     Assembled a = watched_and_reported(problem, combination, cells, common);
@@ -243,7 +251,7 @@ template <class Shape, class Scheme, class Scene, class Transfer, class MakeShap
         if constexpr (may_reorder<OneBody, Scene>)
             for (OneBody& body : moved->bodies)
                 if (body.order.keep(static_cast<Substance&>(body))) body.strips.forget();
-        moved->scheme.step(moved->bodies, Free{}, problem->scene, t, dt);
+        moved->scheme.step(moved->bodies, moved->coupling, problem->scene, t, dt);
     };
     return a;
 }

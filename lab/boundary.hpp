@@ -140,13 +140,17 @@ private:
     std::vector<int> nodes_;  // on the plane
 };
 
-/// No load, nothing held; and a coupling that does nothing.
+/// No load, nothing held; and a coupling that does nothing. The seam `coupling` makes bodies feel each other wherever their nodal momenta
+/// are final: (bodies, t, dt) after the forces; `start` after the mapping, in schemes that update stress first; `again` after a second
+/// mapping, which serves the stress alone.
 struct FreeScene {
     template <class Body> void load(Body&, double) const {}
     template <class Grid, class Field> void fix(Grid&, Field, double) const {}
 };
 struct Free {
-    template <class Bodies> void operator()(Bodies&, double) const {}
+    template <class... Any> void operator()(Any&&...) const {}
+    template <class Bodies> void start(Bodies&, double, double) const {}
+    template <class Bodies> void again(Bodies&, double, double) const {}
 };
 
 }  // namespace mpm

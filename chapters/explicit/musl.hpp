@@ -16,7 +16,7 @@ struct Musl {
     };
 
     template <class Bodies, class Coupling, class Scene>
-    void step(Bodies& bodies, const Coupling& coupling, const Scene& scene, double t, double dt) const {
+    void step(Bodies& bodies, Coupling&& coupling, const Scene& scene, double t, double dt) const {
         using Body = typename Bodies::value_type;
         using Node = typename Body::Node;
         constexpr int D = Body::D;
@@ -35,7 +35,7 @@ struct Musl {
             scene.fix(body.grid, &Node::mv, t);                                           // 15
             scene.fix(body.grid, &Node::mv_new, t + dt);
         }
-        coupling(bodies, dt);
+        coupling(bodies, t, dt);
         for (auto& body : bodies) {
             const auto fix = [&](auto field) { scene.fix(body.grid, field, t + dt); };
             body.transfer.nodal_velocities(body, fix);                                    // 17
@@ -50,7 +50,7 @@ struct Musl {
             });
             fix(&Node::mv_new);                                                           // 21
         }
-        coupling(bodies, dt);
+        coupling.again(bodies, t, dt);
         for (auto& body : bodies) {
             const auto fix = [&](auto field) { scene.fix(body.grid, field, t + dt); };
             body.transfer.mapped_velocities(body, fix);                                   // 24

@@ -12,7 +12,7 @@ struct Usf {
     template <int D> using NodeOf = mpm::Node<D>;
 
     template <class Bodies, class Coupling, class Scene>
-    void step(Bodies& bodies, const Coupling& coupling, const Scene& scene, double t, double dt) const {
+    void step(Bodies& bodies, Coupling&& coupling, const Scene& scene, double t, double dt) const {
         using Body = typename Bodies::value_type;
         using Node = typename Body::Node;
         constexpr int D = Body::D;
@@ -26,6 +26,10 @@ struct Usf {
             });
             const auto fix = [&](auto field) { scene.fix(body.grid, field, t); };
             fix(&Node::mv);
+        }
+        coupling.start(bodies, t, dt);
+        for (auto& body : bodies) {
+            const auto fix = [&](auto field) { scene.fix(body.grid, field, t); };
             each(body.grid, [&](auto& node) { node.mv_new = node.mv; });
             body.transfer.mapped_velocities(body, fix);                                   // 5
             scatter(body, [&](auto& p, const auto& weights) {
@@ -41,7 +45,7 @@ struct Usf {
             each(body.grid, [&](auto& node) { node.mv_new = node.mv + dt * node.f; });    // 13
             scene.fix(body.grid, &Node::mv_new, t + dt);
         }
-        coupling(bodies, dt);                                                             // 14-26
+        coupling(bodies, t, dt);                                                          // 14-26
         for (auto& body : bodies) {
             const auto fix = [&](auto field) { scene.fix(body.grid, field, t + dt); };
             body.transfer.nodal_velocities(body, fix);

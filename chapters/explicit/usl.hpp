@@ -13,7 +13,7 @@ struct Usl {
     double cutoff = 0;  // nodes with at most this mass are left out (2.63) [mass]
 
     template <class Bodies, class Coupling, class Scene>
-    void step(Bodies& bodies, const Coupling& coupling, const Scene& scene, double t, double dt) const {
+    void step(Bodies& bodies, Coupling&& coupling, const Scene& scene, double t, double dt) const {
         using Body = typename Bodies::value_type;
         using Node = typename Body::Node;
         constexpr int D = Body::D;
@@ -35,7 +35,7 @@ struct Usl {
             scene.fix(body.grid, &Node::mv, t);                                           // 15
             scene.fix(body.grid, &Node::mv_new, t + dt);
         }
-        coupling(bodies, dt);
+        coupling(bodies, t, dt);
         for (auto& body : bodies) {
             const auto fix = [&](auto field) { scene.fix(body.grid, field, t + dt); };
             body.transfer.nodal_velocities(body, fix);                                    // 17
