@@ -68,6 +68,8 @@ public:
         }
         return {"--help"};
     }
+    /// Programs without --dry-run say only when they run that settings do not go together, and never how long they would take.
+    bool may_refuse(const Tried& t) const { return !dry_ && (t.end.timed_out || (t.end.code == 2 && one_line_of(t.err))); }
     Words wrong() { return wrong_settings(options_, random_); }
     double moment() { return std::uniform_real_distribution<double>(0.005, 0.25)(random_); }
 
@@ -159,6 +161,7 @@ public:
         for (int i = 0; i < s_.runs && !interrupted(); ++i) {
             const Words words = trial.right();
             const Tried t = trial.run(words, s_.timeout);
+            if (trial.may_refuse(t)) continue;
             tell(trial, name, "right", words, t, judge(t));
         }
         for (int i = 0; i < s_.runs && !interrupted(); ++i) {
