@@ -1,7 +1,7 @@
 # The thin front door. `make figures` sets up, builds and draws; `make check` passes the tests.
 MAKEFLAGS += --no-print-directory
 JOBS ?= $(shell nproc)
-.PHONY: all setup configure build check mutants figures sanitize bench clean
+.PHONY: all setup configure build check mutants figures atlas atlas-quick reliability sanitize bench clean
 .DEFAULT_GOAL := all
 
 all: build
@@ -20,6 +20,17 @@ mutants: setup
 figures: configure
 	cmake --build build -j$(JOBS) --target programs
 	./plots/figures.sh build figures
+# Every case with a known solution, all its variants, error against run time: an hour, or a few minutes. The gallery tells the findings.
+atlas: figures
+	./plots/atlas.sh build figures
+atlas-quick: figures
+	./plots/atlas.sh build figures quick
+# Every program with random settings, right, wrong and stopped, under the sanitizers.
+RUNS ?= 200
+reliability: setup
+	cmake --preset debug
+	cmake --build build-debug -j$(JOBS) --target programs reliability
+	./build-debug/reliability --runs $(RUNS) --out build-debug/reliability-runs
 # Without the resolutions that tell accuracy alone: they would take half an hour here, and shorter runs visit the same code.
 accuracy = ConvergesWithOrderTwo|ApproachesLame|SwingsAsFar|CpdiVortexConforming|ReboundAlike|DepthSettles|ReachesItsFloor
 sanitize: setup

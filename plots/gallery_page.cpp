@@ -5,7 +5,9 @@
 
 #include "lab/csv_read.hpp"
 #include "lab/options.hpp"
+#include "plots/findings.hpp"
 #include "plots/gallery.hpp"
+#include "plots/html.hpp"
 
 namespace mpm {
 namespace fs = std::filesystem;
@@ -17,6 +19,7 @@ h1, h2 { font-weight: normal; }
 nav a { margin-right: 1.2em; }
 figure { margin: 2em 0; break-inside: avoid; }
 img { max-width: 100%; height: auto; }
+img.half { max-width: 49%; }
 figcaption { margin: .4em 0; }
 table { border-collapse: collapse; font: 13px/1.35 monospace; width: 100%; }
 th, td { border-bottom: 1px solid #ccc; padding: .1em .5em; text-align: left; vertical-align: top; overflow-wrap: anywhere; }
@@ -25,30 +28,16 @@ th, td { border-bottom: 1px solid #ccc; padding: .1em .5em; text-align: left; ve
 @media print { body { font-size: 11pt; max-width: none; margin: 0; } nav { display: none; } h2 { break-before: page; } a { color: inherit; } }
 )";
 
-std::string html(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        if (c == '&') safe += "&amp;";
-        else if (c == '<') safe += "&lt;";
-        else if (c == '>') safe += "&gt;";
-        else if (c == '"') safe += "&quot;";
-        else safe += c;
-    }
-    return safe;
-}
-
 std::string trimmed(const std::string& text) {
     const std::size_t from = text.find_first_not_of(" \t\r");
     return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(" \t\r") - from + 1);
 }
 
-std::string cell(const std::string& text, const char* kind = "number") { return "<td class=\"" + std::string(kind) + "\">" + html(text) + "</td>"; }
-
 std::string row(const GalleryRun& run) {
     const std::string command = html("./" + run.command);
     std::string text = "<tr><td>" + (run.csv.empty() ? command : "<a href=\"" + html(run.csv) + "\">" + command + "</a>") + "</td>";
-    text += cell(run.cells) + cell(run.error_name, "name") + cell(run.error) + cell(run.order) + cell(run.seconds);
-    return text + cell(run.verdict, run.verdict.empty() || run.verdict == "ok" ? "name" : "bad") + "</tr>\n";
+    text += html_cell(run.cells) + html_cell(run.error_name, "name") + html_cell(run.error) + html_cell(run.order) + html_cell(run.seconds);
+    return text + html_cell(run.verdict, run.verdict.empty() || run.verdict == "ok" ? "name" : "bad") + "</tr>\n";
 }
 
 /// The figure's recipe, relative to the figures: its copy, or the script that the program has left beside its data.
@@ -65,8 +54,9 @@ std::string script_of(const fs::path& figures, const GalleryFigure& figure) {
 }
 
 std::string figure_html(const fs::path& figures, const GalleryFigure& figure) {
-    const std::string picture = figure.name + ".png";
-    if (!fs::exists(figures / picture)) throw FileTrouble((figures / picture).string() + ": the gallery lists it, but it was not drawn");
+    std::string picture = figure.name + ".png";
+    if (!fs::exists(figures / picture)) picture = figure.name + ".gif";
+    if (!fs::exists(figures / picture)) throw FileTrouble((figures / figure.name).string() + ": the gallery lists it, but it was not drawn");
     const std::vector<GalleryRun> runs = runs_of(figures, figure);
     const bool errors = std::any_of(runs.begin(), runs.end(), [](const GalleryRun& run) { return !run.error.empty(); });
     std::string text = "<figure id=\"" + html(figure.name) + "\">\n<a href=\"" + html(picture) + "\"><img src=\"" + html(picture) + "\" alt=\"" +
@@ -138,7 +128,8 @@ void write_gallery(const std::string& plots, const std::string& figures) {
             "run time of the finest resolution. A script draws its figure again: <code>gnuplot name.gp</code> in this folder.</p>\n<nav>\n";
     for (std::size_t c = 0; c < chapters.size(); ++c)
         page += "<a href=\"#chapter-" + std::to_string(c + 1) + "\">" + html(chapters[c].title) + "</a>\n";
-    page += "</nav>\n";
+    const std::string found = findings_html(figures);
+    page += (found.empty() ? "" : "<a href=\"#findings\">What to use when</a>\n") + std::string("</nav>\n") + found;
     for (std::size_t c = 0; c < chapters.size(); ++c) {
         page += "<h2 id=\"chapter-" + std::to_string(c + 1) + "\">" + html(chapters[c].title) + "</h2>\n";
         for (GalleryFigure& figure : chapters[c].figures) {

@@ -7,6 +7,7 @@
 
 #include "lab/csv_read.hpp"
 #include "lab/options.hpp"
+#include "plots/findings.hpp"
 #include "plots/gallery.hpp"
 
 namespace mpm {
@@ -19,21 +20,6 @@ std::string short_number(const CsvTable& table, std::size_t row, const char* col
     char text[32];
     std::snprintf(text, sizeof text, format, x);
     return text;
-}
-
-std::string without_cells(const std::string& options) { return std::regex_replace(options, std::regex("(^|;)cells=[^;]*"), ""); }
-
-/// The command of a summary row, as far as the row tells it: program and options that differ from their defaults.
-std::string command_of(const CsvTable& table, std::size_t row) {
-    std::string command = table.text(row, "program");
-    const std::string options = without_cells(table.text(row, "options"));
-    for (std::size_t at = 0; at < options.size();) {
-        const std::size_t end = std::min(options.find(';', at), options.size()), is = options.find('=', at);
-        if (is < end) command += " --" + options.substr(at, is - at) + " " + options.substr(is + 1, end - is - 1);
-        else if (end > at) command += " --" + options.substr(at, end - at);
-        at = end + 1;
-    }
-    return command;
 }
 
 /// The finest resolution of each variant in a table of summary rows, by the first error that the table names.

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <regex>
 
 #include "lab/options.hpp"
+#include "plots/findings.hpp"
 #include "tests/programs/process.hpp"
 
 namespace mpm::test {
@@ -30,6 +32,8 @@ struct Drawn {
         write("figures/data/wave-2/compare.csv", columns + "bar,b,usl,hat,flip,,8,e1,1e-2,nan,.1,ok\nbar,b,usl,hat,flip,mode=2;cells=8,8,e1,nan,nan,.1,unstable:energy\n");
         write("figures/data/still/command", "bar --dt 0\n");
         write("figures/data/still/history.csv", "t\n0\n");
+        write("figures/data/atlas-bar/title", "The bar\ne2\n");
+        write("figures/data/atlas-bar/compare.csv", columns + "bar,b,usl,hat,flip,,8,e2,1e-2,nan,.1,ok\n");
         write("figures/data/a-mesh/command", "fill\n");
         write("figures/data/a-mesh/mesh.gp", "");
     }
@@ -87,6 +91,22 @@ TEST(Gallery, TellsTheFinestOfEachRun) {
     EXPECT_EQ(runs[3].csv, "data/still/history.csv");
 }
 
+TEST(Findings, TellWhoIsBeatenByNobodyAndWhenALevelIsReached) {
+    const std::string rows = "fast,b,usl,hat,flip,cells=8,8,e2,9e-3,nan,.1,ok\nfast,b,usl,hat,flip,cells=16,16,e2,2e-3,2,.2,ok\n"
+                             "good,b,usl,hat,flip,cells=8,8,e2,5e-5,nan,1,ok\nslow,b,usl,hat,flip,cells=8,8,e2,6e-5,nan,2,ok\n"
+                             "slow,b,usl,hat,flip,cells=16,16,e2,1e-9,nan,.01,unstable:energy\n";
+    const std::vector<Finding> found = findings(parse_csv(columns + rows, "test"), "e2");
+    ASSERT_EQ(found.size(), 3u);
+    EXPECT_EQ(found[0].command, "good");
+    EXPECT_EQ(found[1].command, "fast");
+    EXPECT_TRUE(found[0].best && found[1].best && !found[2].best);
+    EXPECT_EQ(found[1].reached[0], 0.1);
+    EXPECT_TRUE(std::isnan(found[1].reached[1]));
+    EXPECT_EQ(found[0].reached[2], 1);
+    EXPECT_EQ(found[2].trouble, "unstable:energy");
+    EXPECT_EQ(found[2].error, 6e-5);
+}
+
 TEST(Gallery, ReadsCaptionAndRunsOfARecipe) {
     EXPECT_EQ(recipe_caption("# A wave,\n# in two.\nplot x\n# not this"), "A wave, in two.");
     EXPECT_EQ(recipe_runs("'data/a-'.x 'data/b/c.csv' 'data/%s/c' 'data/b/d'"), (std::vector<std::string>{"a-*", "b"}));
@@ -118,7 +138,7 @@ TEST(Gallery, OfTheProjectIsWhole) {
     const std::string page{std::istreambuf_iterator<char>(file), {}};
     expect_all_there(page, folder);
     for (const auto& entry : std::filesystem::directory_iterator(folder))
-        if (entry.path().extension() == ".png") {
+        if (entry.path().extension() == ".png" || entry.path().extension() == ".gif") {
             EXPECT_TRUE(holds(page, "src=\"" + entry.path().filename().string() + "\"")) << entry.path();
         }
     expect_valid(folder + "/index.html");
