@@ -15,7 +15,8 @@ constexpr const char* purpose = "convergence on a manufactured vibration of a un
 const std::vector<SchemeChoice<SquareSettings>> choices{{"usl", UpdatedShapes::names(), usl_square},
                                                         {"usf", UpdatedShapes::names(), usf_square},
                                                         {"musl", UpdatedShapes::names(), musl_square},
-                                                        {"tlmpm", AllShapes::names(), tlmpm_square}};
+                                                        {"tlmpm", AllShapes::names(), tlmpm_square},
+                                                        {"impm", {Hat::name}, impm_square}};
 
 int run(int argc, char** argv) {
     Options options(program, purpose);
@@ -28,12 +29,16 @@ int run(int argc, char** argv) {
                    "of --scheme tlmpm: velocities of the stress update mapped twice (musl) or not (usl)");
     s.scene.declare(options);
     s.transfer.declare(options);
+    s.impm.declare(options, 2, "of --scheme impm: ");
     s.common.declare(options, AllShapes::names(), s.scene.period(), traits_of(Square<true>(s.scene)));
     s.common.declare_threads(options);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
     const auto& choice = chosen(choices, s.scheme, s.common.shape);
     check_settings(s);
+    if (s.scheme != "impm" && !s.impm.changed().empty())
+        throw BadInput("--" + s.impm.changed() + ": only --scheme impm has it, not " + s.scheme);
+    if (s.scheme == "impm" && !options.given("force")) s.scene.force.at = "nodes";  // the mass of its nodes is not made of m_p
     const double period = s.scene.period();
     if (!options.given("t-end")) s.common.t_end = period;  // one period of this motion, not of the default one
     SquareSettings settings = s;

@@ -8,7 +8,7 @@
 namespace mpm {
 
 struct ImpmChoice {
-    MlsChoice mls = {};                   // of velocities, densities and stresses alike
+    MlsChoice mls = {1, 1.1, false, 12};  // of velocities, densities and stresses alike
     std::string gradient = "linear";      // at particles: linear between cells, or that of the hat functions
     std::string quadrature = "centre";    // one point in each cell, or 2^D Gauss points
     std::string surface = "part";         // cells at a surface hold as much as their particles do, or are whole
@@ -23,6 +23,7 @@ struct ImpmOptions : ImpmChoice {
         o.number("support", mls.support, "cells", between(0.6, 10), of + "radius of the particles that a fit sees");
         o.choice("basis", basis, {"shepard", "linear", "quadratic"}, of + "polynomials of the moving least squares");
         o.choice("weight", weight, {"cubic", "quartic"}, of + "spline that weighs the particles (D.6, D.7)");
+        o.number("limit", mls.limit, "-", at_least(1), of + "square of a fit's largest amplification of noise; 1 is that of a mean");
         o.choice("surface", surface, {"part", "whole"}, of + "cells at a surface hold as much as their particles do, or are whole");
         if (dim == 2) o.choice("quadrature", quadrature, {"centre", "gauss"}, of + "one point in the middle of a cell, or 2 x 2 Gauss points");
     }
@@ -33,6 +34,7 @@ struct ImpmOptions : ImpmChoice {
         if (mls.support != usual.mls.support) return "support";
         if (basis != usual.basis) return "basis";
         if (weight != usual.weight) return "weight";
+        if (mls.limit != usual.mls.limit) return "limit";
         if (surface != usual.surface) return "surface";
         return quadrature != usual.quadrature ? "quadrature" : "";
     }

@@ -15,21 +15,26 @@
 namespace mpm {
 
 struct NoiseGrowth {
-    double largest = 1, last = 1;  // rms difference of the velocities of the two runs, over that at the start
+    double largest = 1, half = 1, last = 1;  // rms difference of the two runs' velocities, over that at the start; after half the time
     double crossings = 0;          // of cell edges by a particle, on average
 };
 
-/// One period of the segment in steps of 0.2 h/c, c = sqrt(E/rho); random velocities up to `amplitude` of the largest one. A run whose
-/// particles leave the grid has grown beyond all numbers.
-inline NoiseGrowth grow_noise(const ImpmChoice& choice, Segment<false> scene, int cells, int ppc, double amplitude) {
-    using Shape = Tensor<1, Hat>;
-    using OneBody = Body<1, Point<1>, Node<1>, NeoHookean, Shape, Flip>;
-    scene.force = "nodes";
+using SegmentBody = Body<1, Point<1>, Node<1>, NeoHookean, Tensor<1, Hat>, Flip>;
+
+/// The segment with all particles shifted by `offset` cells.
+inline std::vector<SegmentBody> segment_body(const Segment<false>& scene, int cells, int ppc, double offset = 0) {
     const Lattice<1> lattice = scene.lattice(cells, 1);
-    const auto body = [&] {
-        return std::vector<OneBody>{OneBody{{scene.particles<Point<1>>(cells, ppc), Grid<1, Node<1>>(lattice), scene.law()}, {lattice, {}}, {}}};
-    };
-    std::vector<OneBody> quiet = body(), noisy = body();
+    auto points = scene.particles<Point<1>>(cells, ppc);
+    for (auto& p : points) p.X[0] = p.x[0] += offset / cells;
+    return {SegmentBody{{points, Grid<1, Node<1>>(lattice), scene.law()}, {lattice, {}}, {}}};
+}
+
+/// One period of the segment in steps of 0.2 h/c, c = sqrt(E/rho); random velocities up to `amplitude` of the largest one. A run whose
+/// particles leave the grid has grown beyond all numbers. `offset` shifts all particles at the start [cells], less than they are from the
+/// edges.
+inline NoiseGrowth grow_noise(const ImpmChoice& choice, Segment<false> scene, int cells, int ppc, double amplitude, double offset = 0) {
+    scene.force = "nodes";
+    std::vector<SegmentBody> quiet = segment_body(scene, cells, ppc, offset), noisy = quiet;
     std::mt19937 random(7);
     for (auto& p : noisy[0].points) p.v[0] += amplitude * scene.speed() * (static_cast<double>(random()) / 2147483648.0 - 1);
     const auto difference = [&] {
@@ -51,6 +56,7 @@ inline NoiseGrowth grow_noise(const ImpmChoice& choice, Segment<false> scene, in
                 if (std::floor(before[i].x[0] * cells) != std::floor(quiet[0].points[i].x[0] * cells)) ++growth.crossings;
             growth.last = difference() / start;
             if (!(growth.last <= growth.largest)) growth.largest = growth.last;
+            if (2 * k < steps) growth.half = growth.last;
         }
     } catch (const OutsideGrid&) {
         growth.largest = growth.last = std::numeric_limits<double>::infinity();

@@ -40,23 +40,28 @@ public:
         Values values = Values::Zero();
     };
 
-    /// Elimination in the order of the basis, so that a lower degree is a leading part of the system. A term of which the points tell less
-    /// than `least` of its mean square beyond the terms before it (too few points, or points on a line) ends the fit at the degree below.
-    Answer solve() {
+    /// Elimination in the order of the basis, so that a lower degree is a leading part of the system. Two things end the fit at a lower
+    /// degree: a term of which the points tell less than `least` of its mean square beyond the terms before it (too few points, points on a
+    /// line), and a place so far beyond the points that it would amplify them: s_0 (A^-1)_00, 1 for a mean, above `limit`.
+    Answer solve(double limit) {
         Answer answer;
-        int known = 0;
-        for (; known < terms; ++known) {
-            const int k = known;
-            const double whole = A_(k, k);
-            double rest = whole;
+        Eigen::Matrix<double, terms, 1> y = Eigen::Matrix<double, terms, 1>::Unit(0);  // becomes L^-1 e_0
+        double amplified = 0;
+        for (int k = 0; k < terms; ++k) {
+            double rest = A_(k, k);
             for (int i = 0; i < k; ++i) rest -= A_(i, k) * A_(i, k) / A_(i, i);
-            if (!(rest > least * whole)) break;
-            for (int j = k + 1; j < terms; ++j)
-                for (int i = 0; i < k; ++i) A_(k, j) -= A_(i, k) * A_(i, j) / A_(i, i);
-            for (int i = 0; i < k; ++i) b_.row(k) -= A_(i, k) / A_(i, i) * b_.row(i);
+            if (!(rest > least * A_(k, k))) break;
+            for (int i = 0; i < k; ++i) {
+                const double l = A_(i, k) / A_(i, i);
+                for (int j = k + 1; j < terms; ++j) A_(k, j) -= l * A_(i, j);
+                b_.row(k) -= l * b_.row(i);
+                y[k] -= l * y[i];
+            }
             A_(k, k) = rest;
+            amplified += y[k] * y[k] / rest * A_(0, 0);
+            if (amplified > limit) break;
+            if (k + 1 == mls_terms(D, answer.degree + 1)) ++answer.degree;
         }
-        while (answer.degree < Degree && mls_terms(D, answer.degree + 1) <= known) ++answer.degree;
         if (answer.degree < 0) return answer;
         const int used = mls_terms(D, answer.degree);
         for (int k = terms - 1; k >= 0; --k) {
@@ -68,7 +73,6 @@ public:
         answer.values = b_.row(0).transpose();
         return answer;
     }
-    /// Of a line in one dimension: noise of the points' values enters at most 1/sqrt(least) = 100 times, and so does rounding.
     static constexpr double least = 1e-4;
 
 private:
@@ -91,6 +95,7 @@ struct MlsChoice {
     int degree = 1;          // of the polynomial: 0 (Shepard, D.1), 1, 2
     double support = 1.1;    // d_I [cells]
     bool quartic = false;    // the weight (D.7), else (D.6)
+    double limit = 1e4;      // of the square of a fit's amplification of noise; a higher one is of a lower degree
 
     double weight(double r) const { return quartic ? quartic_weight(r) : cubic_weight(r); }
 };
@@ -106,7 +111,7 @@ auto mls_at(const MlsChoice& choice, const NearPoints<D>& near, const Points& po
             const double r2 = r.squaredNorm();
             if (r2 < 1) fit.add(r, choice.weight(std::sqrt(r2)), values(points[i]));
         });
-        const auto answer = fit.solve();
+        const auto answer = fit.solve(choice.limit);
         return typename MlsFit<D, 0, F>::Answer{answer.degree, answer.values};
     };
     if (choice.degree == 0) return fitted(MlsFit<D, 0, F>{});

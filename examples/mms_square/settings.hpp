@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "chapters/improved/impm_choice.hpp"
 #include "chapters/improved/transfers.hpp"
 #include "chapters/mms/square.hpp"
 #include "lab/program.hpp"
@@ -12,6 +13,7 @@ struct SquareSettings {
     Common common;
     SquareCase scene;
     TransferChoice transfer;
+    ImpmOptions impm;
     std::string scheme = "tlmpm", stress = "musl";
 };
 
@@ -19,5 +21,6 @@ Assembled usl_square(const SquareSettings& settings, int cells);
 Assembled usf_square(const SquareSettings& settings, int cells);
 Assembled musl_square(const SquareSettings& settings, int cells);
 Assembled tlmpm_square(const SquareSettings& settings, int cells);
+Assembled impm_square(const SquareSettings& settings, int cells);
 
 }  // namespace mpm

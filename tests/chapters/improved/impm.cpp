@@ -1,10 +1,8 @@
-// The improved MPM: what its pieces reproduce, its orders on the manufactured segment, what becomes of noise, what it conserves.
+// The improved MPM: what its pieces reproduce, and what it conserves.
 #include "chapters/improved/impm.hpp"
 
 #include <gtest/gtest.h>
 
-#include "chapters/improved/impm_noise.hpp"
-#include "chapters/mms/norms.hpp"
 #include "chapters/weighting/quadratic.hpp"
 #include "tests/chapters/explicit/problem.hpp"
 
@@ -65,57 +63,6 @@ TEST(ImpmGradient, IsTheQuadraticSplinesOnALine) {
     }
 }
 
-/// e1 of one period of the segment with two particles per cell in steps of 0.2 h/c.
-double e1(double G, int cells, const ImpmChoice& choice = {}) {
-    Segment<false> scene;
-    scene.G = G;
-    scene.force = "nodes";
-    Problem<1, Impm<1>, NeoHookean> run;
-    run.lattice = scene.lattice(cells, 1);
-    run.add_points(scene.law(), scene.particles<Point<1>>(cells, 2), 2);
-    Impm<1> scheme{choice};
-    DisplacementError error;
-    const int steps = 10 * cells;
-    const double dt = scene.period() / steps;
-    for (int k = 0; k < steps; ++k) {
-        scheme.step(run.bodies, Free{}, scene, k * dt, dt);
-        error.sample(run.points(), [&](const auto& p) { return Vec<1>(scene.u(p.X[0], (k + 1) * dt)); }, [](const auto& p) { return p.V; });
-    }
-    return error.e1();
-}
-
-TEST(ImpmSegment, ConvergesWithOrderTwoAtSmallAndLargeAmplitude) {
-    for (const double G : {1e-4, 0.05}) {
-        const double coarse = e1(G, 32), middle = e1(G, 64), fine = e1(G, 128);
-        EXPECT_NEAR(std::log2(coarse / middle), 2, 0.06) << G;  // measured 1.97, 1.97
-        EXPECT_NEAR(std::log2(middle / fine), 2, 0.04) << G;    // measured 1.98, 1.98
-    }
-    EXPECT_NEAR(e1(0.05, 64), 8.33e-5, 0.05e-5);
-}
-// The printed gradient: as good on coarse grids, and ruined on fine ones, where the review leaves the reason open.
-TEST(ImpmSegment, AsPrintedDivergesOnFineGrids) {
-    ImpmChoice printed;
-    printed.gradient = "hat";
-    printed.mls.support = 1.01;
-    ImpmChoice mended = printed;
-    mended.gradient = "linear";
-    EXPECT_LT(std::log2(e1(0.1, 128, printed) / e1(0.1, 256, printed)), 1.6);  // measured 1.36; on 512 cells nothing is left
-    EXPECT_GT(std::log2(e1(0.1, 128, mended) / e1(0.1, 256, mended)), 1.95);
-}
-TEST(ImpmNoise, IsAmplifiedWithTheHatGradientAndFadesWithTheMendedOne) {
-    Segment<false> scene;
-    scene.G = 0.05;
-    ImpmChoice printed, mended;
-    printed.gradient = "hat";
-    printed.mls.support = mended.mls.support = 1.01;
-    EXPECT_GT(grow_noise(printed, scene, 256, 2, 1e-10).largest, 20);  // NUMBERS 4: 56; 42 with these random numbers
-    EXPECT_DOUBLE_EQ(grow_noise(mended, scene, 128, 2, 1e-10).largest, 1);
-    scene.G = 1e-4;  // no particle crosses an edge
-    const NoiseGrowth still = grow_noise(printed, scene, 128, 2, 1e-10);
-    EXPECT_DOUBLE_EQ(still.largest, 1);
-    EXPECT_EQ(still.crossings, 0);
-}
-
 /// A free square or bar of 4 cells a side, anywhere in its cells.
 template <int D> auto free_body(double shift, const ImpmChoice& choice = {}) {
     Problem<D, Impm<D>, NeoHookean> s;
@@ -166,6 +113,7 @@ TEST(ImpmFlight, IsUndisturbedInThePlane) {
 // A velocity field linear in space, as of a spinning or stretching body, is kept but for the stress of one step.
 TEST(ImpmLinearField, IsKeptWithItsGradient) {
     auto s = free_body<2>(0.04);
+    s.scheme.mls.limit = 1e4;  // corners are extrapolated
     Mat<2> C;
     C << 0.3, -0.2, 0.5, 0.1;
     for (auto& p : s.points()) p.v = C * p.x;

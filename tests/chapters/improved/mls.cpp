@@ -140,6 +140,13 @@ TEST(MlsFallback, TwoDegreesLowerWhereFewPointsAre) {
     EXPECT_EQ(fit.degree, 1);
     EXPECT_NEAR(fit.values[0], 2, 1e-14);
 }
+// Two points at 1.5 and 2 tell of a place at 1 with the weights 2 and -1: their noise is amplified.
+TEST(MlsFallback, FarBeyondThePointsIsNoExtrapolation) {
+    const std::vector<Known<1>> two{{Vec<1>(1.5), 1}, {Vec<1>(2.0), 2}};
+    EXPECT_NEAR(fit_of<1>({1, 1.1, false, 1e4}, two, Vec<1>(1.0)).values[0], 0, 1e-12);  // amplified rounding
+    EXPECT_EQ(fit_of<1>({1, 1.1, false, 12}, two, Vec<1>(1.0)).degree, 0);
+    EXPECT_EQ(fit_of<1>({1, 1.1, false, 12}, two, Vec<1>(1.4)).degree, 1);
+}
 TEST(MlsFallback, IsCounted) {
     MlsCounts counts;
     error_at_nodes<2>({2, 0.6, false}, 1, 0, counts, 1);  // a point a cell: few nodes see six within 0.6 cells
