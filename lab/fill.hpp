@@ -129,6 +129,23 @@ std::vector<Point> particles_inside(const Shape& shape, const Lattice<2>& lattic
     return all;
 }
 
+/// A disk of particles in rings about its centre, as far apart along a ring as the rings are, about `size`: it is round where a disk of cells
+/// has steps. Total volume exact.
+template <class Point> std::vector<Point> rings(const Vec<2>& centre, double radius, double size, double rho) {
+    std::vector<Point> all;
+    const int count = std::max(1, static_cast<int>(std::lround(radius / size)));
+    const double width = radius / count;
+    for (int k = 0; k < count; ++k) {
+        const int n = std::max(4, static_cast<int>(std::lround(2 * std::numbers::pi * (k + 0.5))));
+        const double r = (k + 0.5) * width, V0 = std::numbers::pi * width * width * (2 * k + 1) / n;
+        for (int i = 0; i < n; ++i) {
+            const double a = 2 * std::numbers::pi * (i + 0.5) / n;
+            all.push_back(particle_at<Point>(Vec<2>(centre + r * Vec<2>(std::cos(a), std::sin(a))), V0, rho));
+        }
+    }
+    return all;
+}
+
 /// The area that a region shares with a rectangle [length^2]: exact where the region knows it (disk, ring, box), else by the middles of
 /// samples x samples equal parts.
 template <Region Shape> double shared_area(const Shape& shape, const Bounds& box, int samples) {

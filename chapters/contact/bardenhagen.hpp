@@ -141,7 +141,7 @@ private:
             if (choice.collinear()) in_pairs(here);
             else as_printed(shared_.of(node), here);
             for (const Side<D>& side : shared_.of(node))
-                if (side.changed) grid_node(bodies, side, node).mv_new = side.m * side.v;
+                if (side.changed && !wall(side)) grid_node(bodies, side, node).mv_new = side.m * side.v;
         }
     }
 

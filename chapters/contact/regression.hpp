@@ -47,7 +47,7 @@ template <int D> Vec<D> parting_normal(std::span<const CloudPoint<D>> a, std::sp
         });
         phi += A.inverse() * g;
         const Vec<D> next = phi.template head<D>().normalized();
-        const bool settled = (next - n).norm() < 1e-8;
+        const bool settled = (next - n).norm() < 1e-4;
         n = next;
         if (settled) break;
     }

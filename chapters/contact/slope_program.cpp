@@ -30,13 +30,15 @@ int slope_program(const char* program, const char* purpose, bool disk, int argc,
     SlopeRun s;
     s.disk = disk;
     s.common.cells = {10};
-    s.common.ppc = 2;
+    s.common.ppc = disk ? 3 : 2;
+    s.slope.placing = disk ? "rings" : "cells";
+    s.slope.rise = 0.2;
     s.common.cfl = 0.2;
     s.common.records = 400;
     options.choice("scheme", s.scheme, {"usl", "usf", "musl"}, "method");
     s.slope.declare(options, disk);
     s.contact.declare(options);
-    s.common.declare(options, {"hat"}, 1, traits_of(Slope{}));
+    s.common.declare(options, {"hat"}, 1.2, traits_of(Slope{}));
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
     const Description about{program, purpose, Slope::name, Slope::solves, {Slope::columns.begin(), Slope::columns.end()}, 0, panels(disk)};
