@@ -17,7 +17,7 @@ set ytics 2
 set tics out nomirror
 set cbrange [0:8]
 set palette defined (0 '#deebf7', 0.25 '#9ecae1', 0.5 '#4292c6', 0.75 '#08519c', 1 '#08204d')
-set cblabel 'speed [m/s]'
+set cblabel 'speed [m/s]' offset -0.5,0
 set cbtics 2 add ('≥ 8' 8)
 unset colorbox
 set lmargin 0
@@ -35,7 +35,7 @@ do for [k=1:8] {
     set format y k % 4 == 1 ? '%g' : ''
     set format x row == 1 ? '%g' : ''
     if (k < 5) { unset object 1 } else { set object 1 rect from 5,0 to 5.171,0.5 fc rgb '#808080' fs solid noborder behind }
-    if (k == 8) { set colorbox user origin 0.935,0.15 size 0.013,0.68 }
+    if (k == 8) { set colorbox user origin 0.925,0.15 size 0.013,0.68 }
     plot sprintf('data/%s/particles_%04d.csv', runs[k], frames[k]) using (column('x')):(column('y')):(column('speed')) \
          with points pt 5 ps 0.32 lc palette
 }
