@@ -1,4 +1,5 @@
-# Couette and Poiseuille flow started from rest: particles (hat functions, 16 cells) beside the exact series, and errors against the cell size.
+# Couette and Poiseuille flow started from rest: particles (hat functions, 16 cells) beside the exact series, and errors against the cell
+# size.
 load 'style.gnuplot'
 set terminal pngcairo size 1700,720 font ',20'
 set output 'channel.png'

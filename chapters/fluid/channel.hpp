@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,11 @@ struct ChannelSettings : LiquidSettings {
 /// The flow does not change along the channel, and here it cannot: the nodes of each row of the grid move as one, with the mean velocity
 /// of their masses. That is the flow in a channel without ends, and what is tested is how shear spreads across the cells, while
 /// particles pass from cell to cell along them. Two columns of cells start filled; the grid is as long as the way of the fastest.
+///
+/// A plate is a row of nodes that has its velocity U. Functions wider than a cell reach past it, and what they would give to the flow's
+/// image, which moves with 2 U - v, is made good as at a plane of symmetry (lab/boundary.hpp). With the plate at the grid's end instead,
+/// folded functions are not symmetric about their nodes, the lumped second mapping gives such a node the momentum of a place beside it,
+/// and cubic functions lose their order there (1.2 instead of 2).
 struct Channel : ChannelSettings {
     static constexpr int D = 2;
     static constexpr const char* name = "channel";
@@ -77,10 +83,14 @@ struct Channel : ChannelSettings {
     }
 
     static constexpr int filled = 2, outside = 2;  // columns of cells with particles; without, at both ends
+    static constexpr int below = 1;                // rows of cells beyond each plate
     Lattice<2> lattice(int cells, int per_cell) const {
         const double way = std::ceil(U * t_end / h);
         if (!(way * cells < 1e7)) throw BadInput("--U, --t-end: the flow goes over " + number_text(way) + " cells");
-        return {Vec<2>(-outside * h, 0), Vec<2>::Constant(h), {filled + 2 * outside + static_cast<int>(way), cells}, per_cell};
+        return {Vec<2>(-outside * h, -below * h),
+                Vec<2>::Constant(h),
+                {filled + 2 * outside + static_cast<int>(way), cells + 2 * below},
+                per_cell};
     }
     template <class Point> std::vector<Point> particles(int cells, int ppc) const {
         std::vector<Point> all;
@@ -97,27 +107,34 @@ struct Channel : ChannelSettings {
 
     template <class Body> void load(Body& body, double) const { force().load(body.grid); }
     template <class Grid, class Field> void fix(Grid& grid, Field field, double t) const {
-        const int wide = grid.lattice().nodes(0), high = grid.lattice().nodes(1);
-        for (int j = 0; j < high; ++j) {
-            Vec<2> mv = Vec<2>::Zero();
-            double m = 0;
-            for (int i = 0; i < wide; ++i) mv += grid[j * wide + i].*field, m += grid[j * wide + i].m;
-            const Vec<2> v = j == 0 ? Vec<2>(0, 0) : j == high - 1 ? Vec<2>(lid(t), 0) : Vec<2>(m > 0 ? mv / m : mv);
+        const int wide = grid.lattice().nodes(0), top = grid.lattice().nodes(1) - 1 - below;
+        const auto move = [&](int j, const Vec<2>& v) {
             for (int i = 0; i < wide; ++i) grid[j * wide + i].*field = grid[j * wide + i].m * v;
+        };
+        for (int j = below + 2; j <= top - 2; ++j) move(j, sum_of(grid, j, field).v);
+        for (const auto& [plate, out, speed_of_plate] : {std::tuple{below, -1, 0.0}, std::tuple{top, 1, lid(t)}}) {
+            const Vec<2> u(speed_of_plate, 0);
+            const Row outer = sum_of(grid, plate + out, field);
+            Row inner = sum_of(grid, plate - out, field);
+            if (outer.m > 0) inner.v = (inner.m * inner.v + outer.m * (2 * u - outer.v)) / (inner.m + outer.m);
+            move(plate, u);
+            move(plate - out, inner.v);
+            move(plate + out, 2 * u - inner.v);
         }
     }
+    /// Impulse and work of the body force and, in the half of the channel beside each, of the plates: all that nodes got besides their
+    /// forces.
     template <class Bodies> Supply supply(const Bodies& bodies, double t, double dt) const {
         Supply sum;
         for (const auto* body : bodies) {
             const auto& grid = body->grid;
-            const int wide = grid.lattice().nodes(0), top = grid.size() - wide;
             sum += force().supply(grid, dt);
-            for (int i = 0; i < wide; ++i)
-                for (const int axis : {0, 1}) {
-                    sum.add(held_impulse(grid[i], axis, 0, dt), axis, 0);
-                    const double v = axis == 0 ? lid(t + dt) : 0;
-                    sum.add(held_impulse(grid[top + i], axis, v, dt), axis, v);
-                }
+            for (int I = 0; I < grid.size(); ++I) {
+                const double beside = 2 * grid.lattice().position(I)[1] > height ? lid(t + dt) : 0;
+                const Vec<2> given = grid[I].m * (moving_velocity(grid[I]) - grid[I].v) - dt * grid[I].f;
+                sum.add(given[0], 0, beside);
+                sum.add(given[1], 1, 0);
+            }
         }
         return sum;
     }
@@ -153,6 +170,18 @@ struct Channel : ChannelSettings {
     };
 
 private:
+    struct Row {
+        double m = 0;
+        Vec<2> v = Vec<2>::Zero();  // mean velocity
+    };
+    template <class Grid, class Field> static Row sum_of(const Grid& grid, int j, Field field) {
+        const int wide = grid.lattice().nodes(0);
+        Row row;
+        for (int i = 0; i < wide; ++i) row.m += grid[j * wide + i].m, row.v += grid[j * wide + i].*field;
+        if (row.m > 0) row.v /= row.m;
+        return row;
+    }
+
     Gravity<2> force() const { return {Vec<2>(body_force(), 0)}; }
     /// The plate is at rest at t = 0: FLIP carries changes of nodal velocities, and without the first one, particles beside the plate would
     /// stay behind for ever.
