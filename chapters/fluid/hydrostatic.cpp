@@ -27,7 +27,7 @@ int run(int argc, char** argv) {
     common.declare_threads(options);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
-    const double period = Hydrostatic(settings, common.cells[0]).period();
+    const double period = settings.period();
     const Description about{
         program, purpose, Hydrostatic::name, Hydrostatic::solves, {Hydrostatic::columns.begin(), Hydrostatic::columns.end()}, period};
     return run_program(about, options, common.with_period(period), [&](int cells) {

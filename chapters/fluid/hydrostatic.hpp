@@ -25,9 +25,11 @@ struct HydrostaticSettings : LiquidSettings {
         LiquidSettings::declare(o);
         o.number("height", height, "length", above(0), "of the column, uncompressed; --cells go along it");
         o.number("width", width, "length", above(0), "of the column, in whole cells");
-        o.number("g", g, "length/time^2", at_least(0), "gravity");
+        o.number("g", g, "length/time^2", above(0), "gravity");
         o.choice("start", start, {"rest", "sudden"}, "compressed by its weight, or by gravity that acts at once and makes it bounce");
     }
+    /// Time in which a wave goes to the bottom and back twice: the period of the bouncing.
+    double period() const { return 4 * height / liquid().wave_speed(); }
 };
 
 /// Since a particle keeps its mass, the pressure is rho g (H - Y) with its height Y in the uncompressed column, however soft the liquid is.
@@ -62,13 +64,11 @@ struct Hydrostatic : HydrostaticSettings {
         const double ct = law().wave_speed() * t;
         return exact(Y) - (wave(Y + ct) + wave(Y - ct)) / 2;
     }
-    /// Time in which a wave goes to the bottom and back twice: the period of the bouncing.
-    double period() const { return 4 * height / law().wave_speed(); }
     Animated animated() const { return {"x", "y", "pressure", "x [length]", "y [length]", column_label("pressure")}; }
 
     /// Where a particle stands under the weight above it, the integral of J from the bottom.
     double compressed(double Y) const {
-        if (start == "sudden" || g == 0) return Y;
+        if (start == "sudden") return Y;
         const double s0 = 1 + weight() / kappa, s = 1 + exact(Y) / kappa, power = 1 - 1 / gamma;
         return kappa / (rho * g) * (std::pow(s0, power) - std::pow(s, power)) / power;
     }

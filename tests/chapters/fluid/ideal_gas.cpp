@@ -85,6 +85,11 @@ TEST(IdealGas, SaysWhenItsEnergyIsGone) {
     EXPECT_FALSE(law.trouble(p));
     strain(law, p, Mat<1>(Mat<1>::Constant(30)));  // the mean stress does more work than there is energy
     EXPECT_EQ(law.trouble(p).cause, "negative-energy");
+    const Lattice<1> lattice(Vec<1>(0), Vec<1>(1), {4});
+    Matter<1, decltype(p), Node<1>, IdealGas> body{{gas_at<1>(law, 1, 1), p}, Grid<1, Node<1>>(lattice), law};
+    const Trouble trouble = check_particles(body);  // so the run ends by this name
+    EXPECT_EQ(trouble.cause, "negative-energy");
+    EXPECT_EQ(trouble.reason.substr(0, 16), "particle 1 at x ");
 }
 
 }  // namespace
