@@ -18,9 +18,10 @@ enum class Carry {
     projected,  // the same projected onto the grid's functions (consistent masses)
     midpoint,   // no acceleration: midpoint rule, v_new = 2 u/dt - v
     increment,  // the same with what the grid sees of the old velocity: v_new = v + 2 (u/dt - P v)
+    conserving  // midpoint with the stress whose work is the change of the stored energy
 };
 inline const std::vector<std::string>& carry_names() {
-    static const std::vector<std::string> names{"particle", "lumped", "projected", "midpoint", "increment"};
+    static const std::vector<std::string> names{"particle", "lumped", "projected", "midpoint", "increment", "conserving"};
     return names;
 }
 inline Carry carry_of(const std::string& name) {
@@ -28,7 +29,7 @@ inline Carry carry_of(const std::string& name) {
         if (carry_names()[i] == name) return static_cast<Carry>(i);
     return Carry::particle;
 }
-inline bool by_midpoint(Carry carry) { return carry == Carry::midpoint || carry == Carry::increment; }
+inline bool by_midpoint(Carry carry) { return carry >= Carry::midpoint; }
 
 /// Maps a field of the particles to the active grid and back, with lumped masses or by projection, min sum m (sum phi_I f_I - f)^2.
 template <class Element, int D> class Projection {

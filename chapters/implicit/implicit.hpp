@@ -54,7 +54,8 @@ public:
     using Matrix = ElementMatrix<D, N>;
 
     ImplicitMpm(const ImplicitSettings& settings, const Rectilinear<D>& grid, Body& body, const Scene& scene)
-        : settings_(settings), grid_(grid), body_(body), scene_(scene), held_(scene.held(grid)), system_(settings.receding.C_c == 0) {}
+        : settings_(settings), grid_(grid), body_(body), scene_(scene), held_(scene.held(grid)),
+          system_(settings.receding.C_c == 0 && settings.carry != Carry::conserving) {}
 
     /// One step; if it cannot be solved, in halves. Trouble is kept, and then the particles are as good as they were at last.
     void step(double t, double dt) {
@@ -72,7 +73,7 @@ public:
 
     /// The equations of a step from t, for those who look at them: tests, and bodies of other kinds that share the grid.
     Equations equations(double t, double dt) {
-        now_ = {settings_.newmark, dt, scene_.body_force(t + settings_.newmark.theta * dt)};
+        now_ = {settings_.newmark, dt, scene_.body_force(t + settings_.newmark.theta * dt), settings_.carry == Carry::conserving};
         prepare(t);
         return {[this](const auto& u, auto& r, double& terms, double& rounding) { return residual(u, r, terms, rounding); },
                 [this](const auto& u, const auto& r, auto& du) { return direction(u, r, du); }};

@@ -168,7 +168,7 @@ template <class Element, class Body, class Scene> bool ImplicitMpm<Element, Body
         if (!soft_.empty()) soft_work += u_e.dot(soft_[a] * u_e);
     }
     std::vector<Vec<D>> seen;  // what the grid sees of a field of the particles
-    if (settings_.carry != Carry::particle && settings_.carry != Carry::midpoint) {
+    if (settings_.carry == Carry::lumped || settings_.carry == Carry::projected || settings_.carry == Carry::increment) {
         for (std::size_t i = 0; i < points.size(); ++i)
             seen.push_back(by_midpoint(settings_.carry) ? points[i].v
                                                         : Vec<D>(now_.newmark.inertia(now_.dt) * moved[i] - now_.newmark.known(points[i], now_.dt)));

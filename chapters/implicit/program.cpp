@@ -33,7 +33,7 @@ void add_facts(const ImplicitCounts& counts, const SparseSystem& system, std::ve
 void ImplicitOptions::declare(Options& o, bool plane) {
     o.number("beta", beta, "-", {.low = 0, .high = 1, .low_open = true}, "of Newmark's rule");
     o.number("gamma", gamma, "-", between(0, 1), "of Newmark's rule; more than 1/2 damps");
-    o.choice("carry", carry, carry_names(), "what particles carry: Newmark's acceleration or that of the grid, or the midpoint rule, which needs none");
+    o.choice("carry", carry, carry_names(), "what particles carry: Newmark's acceleration or that of the grid, or the midpoint rule, which needs none; conserving: with the stress that keeps the energy");
     o.choice("tangent", tangent, {"analytic", "ad"}, "by hand, or by automatic differentiation of the residual");
     o.number("tolerance", tolerance, "-", between(1e-14, 1e-2), "of Newton's residual over the size of its terms");
     o.integer("iterations", iterations, "-", between(1, 1000), "Newton iterations of a step, at most");
@@ -63,7 +63,9 @@ ImplicitSettings ImplicitOptions::settings(const Options& o, int threads) const 
     s.newton.iterations = iterations;
     s.soft = {soft_few, soft_some};
     s.receding.C_c = receding;
-    s.automatic = tangent == "ad";
+    if (s.carry == Carry::conserving && o.given("tangent") && tangent != "ad")
+        throw BadInput("--tangent analytic: --carry conserving has its tangent by automatic differentiation, ad");
+    s.automatic = tangent == "ad" || s.carry == Carry::conserving;
     s.solve_inactive = inactive == "solved";
     s.cuts = cuts;
     s.threads = threads;

@@ -95,13 +95,15 @@ struct FreeBar {
             path = seen[3] - seen[4];
         }
         bool wants_energy(double, double) const { return true; }
+        const char* v0_text() const { return bar.v0 > 0 ? "vibration's energy at the end / start" : "vibration's energy at the end / flight's"; }
         /// Without vibration: over the energy of the flight.
         double unit() const { return bar.v0 > 0 ? first : 0.5 * bar.rho * bar.length * bar.speed_ * bar.speed_; }
         std::vector<NamedError> errors(double) const { return {{"energy_gain", std::max(0.0, most - first) / unit()}, {"energy_end", std::abs(last - first) / unit()}}; }
         std::vector<std::pair<std::string, double>> facts(double) const {
-            return {{"vibration's energy at the end / start", last / first},
-                    {"the same at most", most / first},
-                    {"the same at least", least / first},
+            const double start = first / unit();
+            return {{v0_text(), start + (last - first) / unit()},
+                    {"the same at most", start + (most - first) / unit()},
+                    {"the same at least", start + (least - first) / unit()},
                     {"path of the centre - exact", path}};
         }
     };
