@@ -28,8 +28,8 @@ inline Lines halved(Lines lines, int times) {
     return lines;
 }
 
-/// How elements share nodes along an axis: an element has `count` of them, those of its neighbour begin `stride` further. {2, 1} for linear,
-/// {3, 2} for quadratic Lagrange elements, {3, 1} for quadratic splines.
+/// How elements share nodes along an axis: an element has `count` of them, those of its neighbour begin `stride` further. {2, 1} for
+/// linear, {3, 2} for quadratic Lagrange elements, {3, 1} for quadratic splines.
 struct Sharing {
     int count = 2, stride = 1;
 };
@@ -65,7 +65,9 @@ public:
     /// Place of an element along an axis.
     int place(int element, int axis) const { return axis == 0 ? element % elements(0) : element / elements(0); }
     double low(int element, int axis) const { return lines(axis)[static_cast<std::size_t>(place(element, axis))]; }
-    double size(int element, int axis) const { return lines(axis)[static_cast<std::size_t>(place(element, axis)) + 1] - low(element, axis); }
+    double size(int element, int axis) const {
+        return lines(axis)[static_cast<std::size_t>(place(element, axis)) + 1] - low(element, axis);
+    }
 
     /// Node k of an element, 0 <= k < nodes_per_element(), fastest along the first axis.
     int node(int element, int k) const {

@@ -1,4 +1,5 @@
-/// The active grid of a step: particles sorted by element, the flags M_E and the soft stiffness (Aulisa and Capodaglio, 3.3, equations 26, 27).
+/// The active grid of a step: particles sorted by element, the flags M_E and the soft stiffness (Aulisa and Capodaglio, 3.3, equations 26
+/// and 27).
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -73,8 +74,8 @@ template <class Element, int D, class Visit> void each_gauss_point(const Rectili
     }
 }
 
-/// (26): the integral of (grad u + grad u^T) . grad phi_I, row by row, without the factor mu C_E. It acts on the increment of a step, so that it is
-/// a viscosity mu C_E dt rather than a stiffness.
+/// (26): the integral of (grad u + grad u^T) . grad phi_I, row by row, without the factor mu C_E. It acts on the increment of a step, so
+/// that it is a viscosity mu C_E dt rather than a stiffness.
 template <class Element, int D> auto soft_matrix(const Rectilinear<D>& grid, int element) {
     constexpr int N = power(Element::count, D);
     Eigen::Matrix<double, N * D, N * D, Eigen::RowMajor> K = Eigen::Matrix<double, N * D, N * D, Eigen::RowMajor>::Zero();

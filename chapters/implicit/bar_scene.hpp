@@ -16,9 +16,9 @@
 
 namespace mpm {
 
-/// Linear elements, equal cells, each with the same points: nodes of a mode move by sin(beta x_I), and the grid's frequency follows from its
-/// inner equations, m_0 + 2 m_1 cos(beta h) = mean of phi products at the points. Uniaxial stress of a neo-Hookean bar with lambda = 0, mu =
-/// E/2, whose stiffness changes by the strain v0/c, and its frequency by its square.
+/// Linear elements, equal cells, each with the same points: nodes of a mode move by sin(beta x_I), and the grid's frequency follows from
+/// its inner equations. Uniaxial stress of a neo-Hookean bar with lambda = 0, mu = E/2, whose stiffness changes by the strain v0/c, and its
+/// frequency by its square.
 struct ImplicitBar : Bar<false> {
     using Law = NeoHookean;
     static constexpr std::array<const char*, 4> columns{"v_cm", "v_cm_exact", "v_mode", "v_mode_newmark"};
@@ -72,7 +72,9 @@ struct ImplicitBar : Bar<false> {
         }
         return up / down;
     }
-    double v_mode_newmark(double t) const { return dt > 0 ? std::cos(newmark.phase(grid_omega(), dt) * t / dt) : std::numeric_limits<double>::quiet_NaN(); }
+    double v_mode_newmark(double t) const {
+        return dt > 0 ? std::cos(newmark.phase(grid_omega(), dt) * t / dt) : std::numeric_limits<double>::quiet_NaN();
+    }
     template <class Points> std::array<double, 4> watch(const Points& points, double t) const {
         return {v_cm(points), v_cm_exact(t), v_mode(points) / v0, v_mode_newmark(t)};
     }
@@ -113,7 +115,8 @@ struct ImplicitBar : Bar<false> {
         double amplitude() const {
             double most = 0;
             const double theta = phase();
-            for (std::size_t n = 0; n < v.size(); ++n) most = std::max(most, std::abs(v[n] / v[0] - std::cos(theta * static_cast<double>(n))));
+            for (std::size_t n = 0; n < v.size(); ++n)
+                most = std::max(most, std::abs(v[n] / v[0] - std::cos(theta * static_cast<double>(n))));
             return most;
         }
         double v_cm_L2() const {

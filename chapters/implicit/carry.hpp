@@ -50,13 +50,13 @@ public:
         SparseSystem mass;
         if (!lumped) mass.use(nodes_, unknowns), mass.clear();
         for (std::size_t a = 0; a < active_.elements.size(); ++a) {
-            Eigen::Matrix<double, N, N, Eigen::RowMajor> M = Eigen::Matrix<double, N, N, Eigen::RowMajor>::Zero();
+            std::array<double, N * N> M{};
             each(a, points, [&](std::size_t p, const auto& w) {
                 for (std::size_t i = 0; i < N; ++i) {
                     const auto I = static_cast<std::size_t>(unknowns[a][i]);
                     m[I] += points[p].m * w.phi[i];
                     for (std::size_t d = 0; d < D; ++d) mf[d][I] += points[p].m * w.phi[i] * field[p][static_cast<Eigen::Index>(d)];
-                    for (std::size_t k = 0; k < N; ++k) M(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) += points[p].m * w.phi[i] * w.phi[k];
+                    for (std::size_t k = 0; k < N; ++k) M[i * N + k] += points[p].m * w.phi[i] * w.phi[k];
                 }
             });
             if (!lumped) mass.add(static_cast<int>(a), M.data());

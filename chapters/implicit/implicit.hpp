@@ -1,6 +1,6 @@
-/// Implicit MPM (Aulisa and Capodaglio, "Monolithic coupling of implicit material point method with finite element method", 3.3): particles are
-/// the quadrature points of a finite element grid that is reset after every step, Newmark's rule acts at the particles, and Newton's method
-/// solves for the displacements of the active grid. There is no mapping from particles to nodes.
+/// Implicit MPM (Aulisa and Capodaglio, "Monolithic coupling of implicit material point method with finite element method", 3.3): particles
+/// are the quadrature points of a finite element grid that is reset after every step, Newmark's rule acts at the particles, and Newton's
+/// method solves for the displacements of the active grid. There is no mapping from particles to nodes.
 #pragma once
 #include <cstddef>
 #include <string>

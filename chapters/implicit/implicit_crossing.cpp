@@ -1,5 +1,5 @@
-/// implicit_crossing: a free bar flies through a thousand cells and vibrates: what implicit MPM gains or loses where particles change cells, by what
-/// particles carry and by the smoothness of the functions.
+/// implicit_crossing: a free bar flies through a thousand cells and vibrates: what implicit MPM gains or loses where particles change
+/// cells, by what particles carry and by the smoothness of the functions.
 ///   ./implicit_crossing --carry particle --beta 0.25
 ///   ./implicit_crossing --carry midpoint --shape quadratic
 #include "chapters/implicit/crossing.hpp"
@@ -22,7 +22,8 @@ int run(int argc, char** argv) {
     options.contradict("t-end", "crossings");
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
-    if (s.common.cells.size() > 1 && !options.given("t-end")) throw BadInput("--cells: one number, or --t-end with it, for the bar flies by --crossings cells");
+    if (s.common.cells.size() > 1 && !options.given("t-end"))
+        throw BadInput("--cells: one number, or --t-end with it, for the bar flies by --crossings cells");
     if (options.given("t-end")) s.bar.crossings = std::ceil(s.common.t_end * s.bar.speed_ / s.bar.h(s.common.cells[0]));
     else s.common.t_end = s.bar.t_end(s.common.cells[0]);
     s.settings = s.method.settings(options, 1);

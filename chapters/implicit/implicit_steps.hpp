@@ -18,7 +18,8 @@ template <class Element, class Body, class Scene> bool ImplicitMpm<Element, Body
         result.why = "a particle is turned inside out or a projection is singular";
     }
     if (cuts == settings_.cuts) {
-        trouble_ = {"unsolvable-step", "at t = " + std::to_string(t) + " no solution after " + std::to_string(cuts) + " halvings of the step: " + result.why};
+        trouble_ = {"unsolvable-step",
+                    "at t = " + std::to_string(t) + " no solution after " + std::to_string(cuts) + " halvings of the step: " + result.why};
         return false;
     }
     ++counts_.cuts;
@@ -170,8 +171,8 @@ template <class Element, class Body, class Scene> bool ImplicitMpm<Element, Body
     std::vector<Vec<D>> seen;  // what the grid sees of a field of the particles
     if (settings_.carry == Carry::lumped || settings_.carry == Carry::projected || settings_.carry == Carry::increment) {
         for (std::size_t i = 0; i < points.size(); ++i)
-            seen.push_back(by_midpoint(settings_.carry) ? points[i].v
-                                                        : Vec<D>(now_.newmark.inertia(now_.dt) * moved[i] - now_.newmark.known(points[i], now_.dt)));
+            if (by_midpoint(settings_.carry)) seen.push_back(points[i].v);
+            else seen.push_back(now_.newmark.inertia(now_.dt) * moved[i] - now_.newmark.known(points[i], now_.dt));
         if (!Projection<Element, D>(grid_, active_).apply(points, settings_.carry == Carry::lumped, seen)) return false;
     }
     counts_.soft_work += soft_work;

@@ -39,8 +39,9 @@ NewtonResult newton(const Equations& equations, const NewtonSettings& settings, 
             return result;
         }
         if (result.iterations() == settings.iterations)
-            return result.why = "Newton has not converged in " + std::to_string(settings.iterations) + " iterations, |r| = " + number_text(now.residual) +
-                                ", its terms " + number_text(now.terms), result;
+            return result.why = "Newton has not converged in " + std::to_string(settings.iterations) + " iterations, |r| = " +
+                                number_text(now.residual) + ", its terms " + number_text(now.terms),
+                   result;
         if (!equations.direction(now.u, now.r, du)) return result.why = "the tangent is singular", result;
         double part = 1;
         for (int k = 0; k <= settings.halvings; ++k, part /= 2) {

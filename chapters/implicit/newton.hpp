@@ -8,8 +8,8 @@ namespace mpm {
 
 /// What is solved. Vectors hold one value for each unknown.
 struct Equations {
-    /// Writes r(u) and the size of what it is made of: |r| <= tolerance |terms| + |rounding| is as good as zero. False where r is not defined
-    /// (an element or a particle turned inside out).
+    /// Writes r(u) and the size of what it is made of: |r| <= tolerance |terms| + |rounding| is as good as zero. False where r is not
+    /// defined (an element or a particle turned inside out).
     std::function<bool(const std::vector<double>& u, std::vector<double>& r, double& terms, double& rounding)> residual;
     /// Writes the solution of K(u) du = -r. False if K is singular.
     std::function<bool(const std::vector<double>& u, const std::vector<double>& r, std::vector<double>& du)> direction;

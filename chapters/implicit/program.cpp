@@ -4,7 +4,8 @@ namespace mpm {
 
 void NewtonFile::write(const std::vector<SolvedStep>& history) {
     if (path_.empty()) return;
-    if (!file_) file_ = std::make_unique<CsvFile>(path_, std::vector<std::string>{"solution", "t", "dt", "iteration", "residual", "terms", "part", "converged"});
+    static const std::vector<std::string> columns{"solution", "t", "dt", "iteration", "residual", "terms", "part", "converged"};
+    if (!file_) file_ = std::make_unique<CsvFile>(path_, columns);
     for (; written_ < history.size(); ++written_) {
         const SolvedStep& step = history[written_];
         for (std::size_t i = 0; i < step.newton.history.size(); ++i) {
@@ -25,20 +26,23 @@ void add_facts(const ImplicitCounts& counts, const SparseSystem& system, std::ve
     facts.emplace_back("steps cut", number(counts.cuts));
     facts.emplace_back("symbolic factorisations", number(system.analyses()));
     facts.emplace_back("numerical factorisations", number(system.factorisations()));
-    facts.emplace_back("assembly, wall s", counts.assembly.wall);
-    facts.emplace_back("solution, wall s", counts.solution.wall);
+    facts.emplace_back("assembly, CPU s", counts.assembly.cpu);
+    facts.emplace_back("solution, CPU s", counts.solution.cpu);
     if (counts.soft_work != 0) facts.emplace_back("work of the soft stiffness", counts.soft_work);
 }
 
 void ImplicitOptions::declare(Options& o, bool plane) {
     o.number("beta", beta, "-", {.low = 0, .high = 1, .low_open = true}, "of Newmark's rule");
     o.number("gamma", gamma, "-", between(0, 1), "of Newmark's rule; more than 1/2 damps");
-    o.choice("carry", carry, carry_names(), "what particles carry: Newmark's acceleration or that of the grid, or the midpoint rule, which needs none; conserving: with the stress that keeps the energy");
+    o.choice("carry", carry, carry_names(),
+             "what particles carry: Newmark's acceleration or that of the grid, or the midpoint rule, which needs none; conserving: "
+             "with the stress that keeps the energy");
     o.choice("tangent", tangent, {"analytic", "ad"}, "by hand, or by automatic differentiation of the residual");
     o.number("tolerance", tolerance, "-", between(1e-14, 1e-2), "of Newton's residual over the size of its terms");
     o.integer("iterations", iterations, "-", between(1, 1000), "Newton iterations of a step, at most");
     o.integer("cuts", cuts, "-", between(0, 30), "halvings of a step that cannot be solved, at most");
-    o.choice("inactive", inactive, {"left-out", "solved"}, "nodes without particles: left out of the system, or solved for with lumped masses");
+    o.choice("inactive", inactive, {"left-out", "solved"},
+             "nodes without particles: left out of the system, or solved for with lumped masses");
     o.flag("newton", newton, "write newton.csv: every iteration");
     o.unlabelled("newton");
     if (!plane) return;
@@ -47,7 +51,8 @@ void ImplicitOptions::declare(Options& o, bool plane) {
     o.number("receding", receding, "-", between(0, 1), "C_c, correction of the receding contact; 0: none");
 }
 
-std::string newton_path(const std::string& program, const Options& options, const Common& common, int cells, const ImplicitOptions& method) {
+std::string newton_path(const std::string& program, const Options& options, const Common& common, int cells,
+                        const ImplicitOptions& method) {
     if (!method.newton) return "";
     const std::string folder = run_folder(program, options, common.out, common.label);
     return folder + (common.cells.size() > 1 ? "/cells-" + std::to_string(cells) : "") + "/newton.csv";

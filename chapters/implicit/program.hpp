@@ -33,10 +33,12 @@ struct NoNode {
     void reset() {}
 };
 
-template <class Scene> using ImplicitMatter = Matter<Scene::D, typename WithHistory<typename Scene::Law, ImplicitPoint<Scene::D>>::Point, NoNode, typename Scene::Law>;
+template <class Scene>
+using ImplicitMatter =
+    Matter<Scene::D, typename WithHistory<typename Scene::Law, ImplicitPoint<Scene::D>>::Point, NoNode, typename Scene::Law>;
 
-/// One resolution of a scene. It tells its law, lines(cells) of its grid along each axis, particles<Point>(cells, ppc), what ImplicitMpm asks for
-/// (implicit.hpp), speed(), wave_speed(), watch(points, t) and an Observer.
+/// One resolution of a scene. It tells its law, lines(cells) of its grid along each axis, particles<Point>(cells, ppc), what ImplicitMpm
+/// asks for (implicit.hpp), speed(), wave_speed(), watch(points, t) and an Observer.
 template <class Scene> struct ImplicitProblem {
     using Body = ImplicitMatter<Scene>;
     explicit ImplicitProblem(const Scene& s) : scene(s), observer{scene} {}
@@ -65,6 +67,18 @@ template <int D> GridSnapshot nodes_of(const Rectilinear<D>& grid, const ActiveG
         for (int d = 0; d < D; ++d) s.values.push_back(x[d]);
         s.values.push_back(active.node_is_active.empty() ? 0 : active.node_is_active[static_cast<std::size_t>(I)]);
     }
+    return s;
+}
+
+/// The elements with their flags M_E, 0 without particles, as rectangles corner by corner.
+inline Snapshot elements_of(const Rectilinear<2>& grid, const ActiveGrid<2>& active) {
+    Snapshot s{{"element", "x", "y", "flag"}};
+    std::vector<int> flags(static_cast<std::size_t>(grid.elements()), 0);
+    for (std::size_t a = 0; a < active.elements.size(); ++a) flags[static_cast<std::size_t>(active.elements[a])] = active.flags[a];
+    for (int e = 0; e < grid.elements(); ++e)
+        for (const auto& [i, j] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)})
+            s.add(std::array<double, 4>{static_cast<double>(e), grid.low(e, 0) + i * grid.size(e, 0), grid.low(e, 1) + j * grid.size(e, 1),
+                                        static_cast<double>(flags[static_cast<std::size_t>(e)])});
     return s;
 }
 
@@ -111,6 +125,7 @@ template <class Element, class Scene>
     };
     sim.particles = [s] { return particles_of<D>(std::vector<Body*>{&s->body}); };
     sim.nodes = [method] { return nodes_of<D>(method->grid(), method->active()); };
+    if constexpr (D == 2) sim.domains = [method] { return elements_of(method->grid(), method->active()); };
     sim.keep = [s] { s->good = s->body.points; };
     sim.restore = [s] { s->body.points = s->good; };
     a.critical_dt = s->smallest / (s->scene.wave_speed() + s->scene.speed());

@@ -1,8 +1,8 @@
-/// The residual of implicit MPM (Aulisa and Capodaglio, equations 20 to 25) for one particle in its element, with the neo-Hookean stress (12),
-/// and its tangent in two ways: by automatic differentiation and by hand.
+/// The residual of implicit MPM (Aulisa and Capodaglio, equations 20 to 25) for one particle in its element, with the neo-Hookean stress
+/// (12), and its tangent in two ways: by automatic differentiation and by hand.
 ///
-///   r_I = m [(a - b) phi_I + tau grad_x phi_I/rho0],  tau = J sigma = lambda ln J 1 + mu (F F^T - 1),  F = f F^n,  f = 1 + theta sum u_K grad
-///   phi_K,  grad_x phi = f^-T grad phi.
+///   r_I = m [(a - b) phi_I + tau grad_x phi_I/rho0],  tau = J sigma = lambda ln J 1 + mu (F F^T - 1),
+///   F = f F^n,  f = 1 + theta sum u_K grad phi_K,  grad_x phi = f^-T grad phi.
 ///
 /// Test functions have their gradients on the deformed grid; the second term of the printed (23) lacks 1/rho.
 #pragma once
@@ -49,7 +49,8 @@ template <class T, class U, int D> Eigen::Matrix<T, D, D> product(const Eigen::M
         }
     return C;
 }
-template <class T, class U, int D> Eigen::Matrix<T, D, D> product_transposed(const Eigen::Matrix<T, D, D>& A, const Eigen::Matrix<U, D, D>& B) {
+template <class T, class U, int D>
+Eigen::Matrix<T, D, D> product_transposed(const Eigen::Matrix<T, D, D>& A, const Eigen::Matrix<U, D, D>& B) {
     return product(A, Eigen::Matrix<U, D, D>(B.transpose()));
 }
 }  // namespace detail
@@ -73,8 +74,8 @@ Eigen::Matrix<T, D, D> stress_at(const Point& p, const NeoHookean& law, const Ei
     return stress;
 }
 
-/// The same of the discrete gradient of Gonzalez (2000), whose work over the step is the change of the stored energy W: F_m S (F^n)^T with F_m =
-/// (F^n + F)/2 and S = 2 dW/dC + 2 (dW - dW/dC : dC)/(dC : dC) dC at the mean of C = F^T F at both ends. Objective: it also keeps the
+/// The same of the discrete gradient of Gonzalez (2000), whose work over the step is the change of the stored energy W: F_m S (F^n)^T with
+/// F_m = (F^n + F)/2 and S = 2 dW/dC + 2 (dW - dW/dC : dC)/(dC : dC) dC at the mean of C = F^T F at both ends. Objective: it also keeps the
 /// angular momentum.
 template <class T, int D, class Point>
 Eigen::Matrix<T, D, D> conserving_stress(const Point& p, const NeoHookean& law, const Eigen::Matrix<T, D, D>& f) {
@@ -116,25 +117,27 @@ Eigen::Matrix<T, D, D> conserving_stress(const Point& p, const NeoHookean& law, 
 
 /// Adds the particle's part of the residual to r. T is double, or a number that carries its derivatives. False if f is turned inside out.
 template <class T, int D, int N, class Point>
-bool add_residual(const Point& p, const NeoHookean& law, const ElementWeights<D, N>& w, const ElementVector<T, D, N>& u, const StepOf<D>& step,
-                  ElementVector<T, D, N>& r) {
-    Eigen::Matrix<T, D, 1> inertia;                                                                           // m (a - b)
+bool add_residual(const Point& p, const NeoHookean& law, const ElementWeights<D, N>& w, const ElementVector<T, D, N>& u,
+                  const StepOf<D>& step, ElementVector<T, D, N>& r) {
+    Eigen::Matrix<T, D, 1> inertia;  // m (a - b)
     Eigen::Matrix<T, D, D> f;
     const double part = step.conserving ? 1 : step.newmark.theta;
     for (int i = 0; i < D; ++i) {
         T u_i(0.0);
-        for (int k = 0; k < N; ++k) u_i += u[k * D + i] * w.phi[static_cast<std::size_t>(k)];                 // 22
-        inertia[i] = p.m * (step.newmark.inertia(step.dt) * u_i - (step.newmark.known(p, step.dt)[i] + step.b[i]));  // 21
+        for (int k = 0; k < N; ++k) u_i += u[k * D + i] * w.phi[static_cast<std::size_t>(k)];                          // 22
+        inertia[i] = p.m * (step.newmark.inertia(step.dt) * u_i - (step.newmark.known(p, step.dt)[i] + step.b[i]));    // 21
         for (int j = 0; j < D; ++j) {
             f(i, j) = T(i == j ? 1.0 : 0.0);
             for (int k = 0; k < N; ++k) f(i, j) += u[k * D + i] * (part * w.trial[static_cast<std::size_t>(k)][j]);  // 24, 25
         }
     }
     if (!(detail::determinant(f) > 0)) return false;
-    const Eigen::Matrix<T, D, D> stress = step.conserving ? detail::conserving_stress<T, D>(p, law, f) : detail::stress_at<T, D>(p, law, f);
+    Eigen::Matrix<T, D, D> stress;  // tau f^-T
+    if (step.conserving) stress = detail::conserving_stress<T, D>(p, law, f);
+    else stress = detail::stress_at<T, D>(p, law, f);
     for (int k = 0; k < N; ++k)
         for (int i = 0; i < D; ++i) {
-            r[k * D + i] += inertia[i] * w.phi[static_cast<std::size_t>(k)];                                  // 20, m/rho0 = V0
+            r[k * D + i] += inertia[i] * w.phi[static_cast<std::size_t>(k)];                                           // 20, m/rho0 = V0
             for (int j = 0; j < D; ++j) r[k * D + i] += stress(i, j) * (p.V0 * w.grad[static_cast<std::size_t>(k)][j]);
         }
     return true;
@@ -157,8 +160,8 @@ void add_ad_tangent(const Point& p, const NeoHookean& law, const ElementWeights<
     for (int i = 0; i < N * D; ++i) K.row(i) += r[i].derivatives().transpose();
 }
 
-/// The same by hand. With l = du f^-1 = sum du_K g*_K^T, g = f^-T grad: d(tau g_I) = lambda (tr l) g_I + mu (l B + B l^T) g_I - tau l^T g_I,
-/// where B in the last two terms cancels. Symmetric where trial gradients are those of the test functions.
+/// The same by hand. With l = du f^-1 = sum du_K g*_K^T, g = f^-T grad: d(tau g_I) = lambda (tr l) g_I + mu (l B + B l^T) g_I - tau l^T
+/// g_I, where B in the last two terms cancels. Symmetric where trial gradients are those of the test functions.
 template <int D, int N, class Point>
 void add_tangent(const Point& p, const NeoHookean& law, const ElementWeights<D, N>& w, const ElementVector<double, D, N>& u,
                  const StepOf<D>& step, ElementMatrix<D, N>& K) {
@@ -172,10 +175,12 @@ void add_tangent(const Point& p, const NeoHookean& law, const ElementWeights<D, 
         test.col(k) = f_invT * w.grad[static_cast<std::size_t>(k)];
         trial.col(k) = f_invT * w.trial[static_cast<std::size_t>(k)];
     }
-    const Eigen::Matrix<double, D, N> B_trial = V * law.mu * B * trial, volume = V * law.lambda * trial, shear = V * (law.mu - law.lambda * lnJ) * trial;
+    const Eigen::Matrix<double, D, N> B_trial = V * law.mu * B * trial, volume = V * law.lambda * trial;
+    const Eigen::Matrix<double, D, N> shear = V * (law.mu - law.lambda * lnJ) * trial;
     for (int i = 0; i < N; ++i)
         for (int k = 0; k < N; ++k) {
-            const double same = B_trial.col(k).dot(test.col(i)) + inertia * w.phi[static_cast<std::size_t>(i)] * w.phi[static_cast<std::size_t>(k)];
+            const double phi2 = w.phi[static_cast<std::size_t>(i)] * w.phi[static_cast<std::size_t>(k)];
+            const double same = B_trial.col(k).dot(test.col(i)) + inertia * phi2;
             for (int c = 0; c < D; ++c) {
                 for (int d = 0; d < D; ++d) K(i * D + c, k * D + d) += test(c, i) * volume(d, k) + shear(c, k) * test(d, i);
                 K(i * D + c, k * D + c) += same;

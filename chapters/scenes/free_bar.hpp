@@ -26,8 +26,8 @@ struct FreeBar {
     static constexpr std::array<const char*, 5> columns{"vibration", "vibration_exact", "rms_dt_a", "x_cm", "x_cm_exact"};
     using Law = NeoHookean;
 
-    double E = 100, rho = 1, length = 10, speed_ = 1, v0 = 1e-3, offset = 0;  // modulus, density, length, flight, amplitude, shift in a cell
-    double crossings = 1000;                                                   // cells that the bar flies through
+    double E = 100, rho = 1, length = 10, speed_ = 1, v0 = 1e-3, offset = 0;  // modulus, density, length, flight, amplitude, shift [cells]
+    double crossings = 1000;                                                  // cells that the bar flies through
     int ppc = 2, cells = 20;
     double dt = 0;
 
@@ -77,7 +77,8 @@ struct FreeBar {
             a2 += p.m * p.a.squaredNorm(), m += p.m, mx += p.m * p.x[0], mX += p.m * (p.X[0] + offset * h(cells));
         }
         const double unit = v0 > 0 ? v0 : speed_;
-        return {up / down / unit, v0 > 0 ? std::cos(2 * std::numbers::pi * t / period()) : 0, dt * std::sqrt(a2 / m) / unit, mx / m, mX / m + speed_ * t};
+        const double exact = v0 > 0 ? std::cos(2 * std::numbers::pi * t / period()) : 0;
+        return {up / down / unit, exact, dt * std::sqrt(a2 / m) / unit, mx / m, mX / m + speed_ * t};
     }
 
     /// Energy without that of the flight, relative to its start.
@@ -95,10 +96,14 @@ struct FreeBar {
             path = seen[3] - seen[4];
         }
         bool wants_energy(double, double) const { return true; }
-        const char* v0_text() const { return bar.v0 > 0 ? "vibration's energy at the end / start" : "vibration's energy at the end / flight's"; }
+        const char* v0_text() const {
+            return bar.v0 > 0 ? "vibration's energy at the end / start" : "vibration's energy at the end / flight's";
+        }
         /// Without vibration: over the energy of the flight.
         double unit() const { return bar.v0 > 0 ? first : 0.5 * bar.rho * bar.length * bar.speed_ * bar.speed_; }
-        std::vector<NamedError> errors(double) const { return {{"energy_gain", std::max(0.0, most - first) / unit()}, {"energy_end", std::abs(last - first) / unit()}}; }
+        std::vector<NamedError> errors(double) const {
+            return {{"energy_gain", std::max(0.0, most - first) / unit()}, {"energy_end", std::abs(last - first) / unit()}};
+        }
         std::vector<std::pair<std::string, double>> facts(double) const {
             const double start = first / unit();
             return {{v0_text(), start + (last - first) / unit()},

@@ -131,7 +131,8 @@ TEST(Residual, ConservingStressDoesTheWorkOfTheStoredEnergy) {
 TEST(Residual, RefusesAnElementTurnedInsideOut) {
     OneParticle one;
     Vector r = Vector::Zero();
-    EXPECT_FALSE((add_residual<double, D, N>(one.p, law, one.w, Vector(rigid_motion((Mat<D>() << 1, 0, 0, -1).finished(), {0, 0})), one.step, r)));
+    const Vector mirrored = rigid_motion((Mat<D>() << 1, 0, 0, -1).finished(), {0, 0});
+    EXPECT_FALSE((add_residual<double, D, N>(one.p, law, one.w, mirrored, one.step, r)));
 }
 TEST(RecedingContact, NormalStrainOnTheFaceVanishes) {
     OneParticle one;
