@@ -55,7 +55,7 @@ template <int Dim> struct Impm : ImpmChoice {
             scene.fix(body.grid, &Node::mv, t);                                           // 8
             scene.fix(body.grid, &Node::mv_new, t + dt);
         }
-        coupling(bodies, dt);
+        coupling(bodies, t, dt);
         for (auto& body : bodies) {
             const auto fix = [&](auto field) { scene.fix(body.grid, field, t + dt); };
             body.transfer.nodal_velocities(body, fix);
