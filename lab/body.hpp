@@ -126,6 +126,13 @@ template <class Body> void follow(Body& body, double dt) {
     if constexpr (requires { body.shape.follow(body, dt); }) body.shape.follow(body, dt);
 }
 
+/// Laws that need all particles of a body after the update of their F (F-bar: averages over cells) update the stresses here, others one by
+/// one as the schemes go through the particles.
+template <class Body> constexpr bool updates_together = requires(Body& body) { body.law.update_together(body); };
+template <class Body> void update_together(Body& body) {
+    if constexpr (updates_together<Body>) body.law.update_together(body);
+}
+
 namespace detail {
 /// Shapes that say how many node rows they touch (`rows`, counted from that of the first entry) can be swept by several threads. Others
 /// may keep anything, and one thread sweeps them.

@@ -66,6 +66,7 @@ struct Musl {
                 p.V = p.F.determinant() * p.V0;                                           // 27
                 body.law.update(p, L, dt);                                                // 28
             });
+            update_together(body);
             follow(body, dt);
         }
     }

@@ -64,6 +64,7 @@ struct Tlmpm {
                 body.law.update(p, L, dt);                                                // 26
                 p.x += dt * body.transfer.moving(p, v);                                   // 28
             });
+            update_together(body);
         }
     }
 };

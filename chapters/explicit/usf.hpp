@@ -32,15 +32,22 @@ struct Usf {
             const auto fix = [&](auto field) { scene.fix(body.grid, field, t); };
             each(body.grid, [&](auto& node) { node.mv_new = node.mv; });
             body.transfer.mapped_velocities(body, fix);                                   // 5
+            const auto add_forces = [](const auto& p, const auto& weights) {
+                const Mat<D> V_sigma = p.V * p.sigma;
+                for (const auto& [node, phi, grad] : weights) node.f -= V_sigma * grad;   // 10
+            };
             scatter(body, [&](auto& p, const auto& weights) {
                 Mat<D> L = Mat<D>::Zero();
                 for (const auto& [node, phi, grad] : weights) L += node.v_new * grad.transpose();  // 6
                 p.F += dt * L * p.F;                                                      // 7
                 p.V = p.F.determinant() * p.V0;                                           // 8
                 body.law.update(p, L, dt);                                                // 9
-                const Mat<D> V_sigma = p.V * p.sigma;
-                for (const auto& [node, phi, grad] : weights) node.f -= V_sigma * grad;   // 10
+                if constexpr (!updates_together<Body>) add_forces(p, weights);
             });
+            if constexpr (updates_together<Body>) {
+                update_together(body);
+                scatter(body, add_forces);
+            }
             scene.load(body, t);                                                          // 11
             each(body.grid, [&](auto& node) { node.mv_new = node.mv + dt * node.f; });    // 13
             scene.fix(body.grid, &Node::mv_new, t + dt);

@@ -52,6 +52,7 @@ struct Usl {
                 p.V = p.F.determinant() * p.V0;                                           // 22
                 body.law.update(p, L, dt);                                                // 23-25
             });
+            update_together(body);
             follow(body, dt);
         }
     }

@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 
+#include "chapters/material/across.hpp"
 #include "lab/math.hpp"
 
 namespace mpm {
@@ -17,18 +18,23 @@ struct Hooke {
     template <class Point, class Gradient> void update(Point& p, const Gradient&, double) const {
         constexpr int D = Point::D;
         const Mat<D> e = sym<D>(p.F - identity<D>());
-        const Mat<D> P = lambda * e.trace() * identity<D>() + 2 * mu * e;
-        p.sigma = P * p.F.transpose() / p.F.determinant();
+        const double trace = e.trace() + (3 - D) * (stretch_across(p) - 1);
+        const Mat<D> P = lambda * trace * identity<D>() + 2 * mu * e;
+        p.sigma = P * p.F.transpose() / volume_ratio(p);
     }
 
-    /// Stress across the plane, P33/J with F33 = 1.
-    template <class Point> double sigma_zz(const Point& p) const { return lambda * (p.F.trace() - Point::D) / p.F.determinant(); }
+    /// Stress across the plane, P33 F33/J.
+    template <class Point> double sigma_zz(const Point& p) const {
+        const double e33 = stretch_across(p) - 1;
+        return (lambda * (p.F.trace() - Point::D + e33) + 2 * mu * e33) * (1 + e33) / volume_ratio(p);
+    }
 
     /// Stored energy of a particle, V0 [lambda/2 tr(e)^2 + mu e:e].
     template <class Point> double energy(const Point& p) const {
         constexpr int D = Point::D;
         const Mat<D> e = sym<D>(p.F - identity<D>());
-        return p.V0 * (0.5 * lambda * e.trace() * e.trace() + mu * contract<D>(e, e));
+        const double e33 = stretch_across(p) - 1, trace = e.trace() + (3 - D) * e33;
+        return p.V0 * (0.5 * lambda * trace * trace + mu * (contract<D>(e, e) + (3 - D) * e33 * e33));
     }
 };
 

@@ -1,0 +1,17 @@
+#include "chapters/explicit/musl.hpp"
+
+#include "chapters/explicit/flip.hpp"
+#include "chapters/locking/fbar_cantilever/settings.hpp"
+#include "chapters/weighting/assemble_with.hpp"
+
+namespace mpm {
+
+Assembled musl_cantilever(const FbarCantileverSettings& s, int cells) {
+    Assembled a;
+    ShapeList<Hat, Ugimp, Cubic>::with(s.common.shape, [&](auto kernel) {
+        a = assemble_with<decltype(kernel), false>(Musl{}, SuddenCantilever<LockingLaw>(s.beam, cells), Flip{}, cells, s.common);
+    });
+    return a;
+}
+
+}  // namespace mpm
