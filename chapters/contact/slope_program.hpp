@@ -12,7 +12,7 @@ struct SlopeRun {
     Common common;
     SlopeSettings slope;
     ContactChoice contact;
-    std::string scheme = "usf";
+    std::string scheme = "musl";
     bool disk = false;
 };
 

@@ -27,7 +27,7 @@ Outcome run(const std::string& program, Words words) {
     return r;
 }
 const Words as_printed{"--normals", "gradient", "--common", "off", "--gap", "velocity"};
-const Words sudden{"--rise", "0", "--t-end", "1", "--ppc", "2"};
+const Words sudden{"--scheme", "usf", "--rise", "0", "--t-end", "1", "--ppc", "2"};
 Words joined(Words a, const Words& b) {
     a.insert(a.end(), b.begin(), b.end());
     return a;
