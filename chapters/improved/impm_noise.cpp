@@ -1,6 +1,7 @@
 /// impm_noise: what becomes of noise on the particles of the improved MPM (impm.hpp) in one period of the manufactured segment, with the
-/// velocity gradient as printed and as mended (notes.md).
+/// velocity gradient as printed and as mended; and the theory of an endless bar at rest whose particles lie off their places (notes.md).
 ///   ./impm_noise --support 1.1 --cells 64,128,256,512
+#include "chapters/improved/impm_growth.hpp"
 #include "chapters/improved/impm_noise.hpp"
 
 #include <cstdio>
@@ -31,6 +32,13 @@ struct Row {
     std::vector<NoiseGrowth> of;  // each gradient
 };
 
+ImpmChoice choice_of(const Settings& set, const std::string& gradient) {
+    ImpmChoice choice;
+    choice.gradient = gradient;
+    choice.mls.support = set.support;
+    return choice;
+}
+
 void declare(Options& o, Settings& set) {
     set.scene.G = 0.05;
     o.integers("cells", set.cells, "cells", between(4, 100000), "cells of the segment; a list runs each");
@@ -45,17 +53,27 @@ void declare(Options& o, Settings& set) {
     for (const char* name : {"out", "label", "plot", "quiet"}) o.unlabelled(name);
 }
 
-std::vector<std::string> write_files(const std::string& folder, const std::vector<Row>& rows, const Options& options) {
-    std::vector<std::string> files{folder + "/run.ini", folder + "/noise.csv"};
+std::vector<std::string> write_files(const std::string& folder, const std::vector<Row>& rows, const Settings& set,
+                                     const Options& options) {
+    std::vector<std::string> files{folder + "/run.ini", folder + "/noise.csv", folder + "/theory.csv"};
     write_file(files[0], options.ini());
     CsvFile table(files[1], {"cells", "h", "hat", "linear", "hat_last", "linear_last", "crossings"});
     for (const Row& row : rows)
         table.row({std::to_string(row.cells), number_text(1.0 / row.cells), number_text(row.of[0].largest), number_text(row.of[1].largest),
                    number_text(row.of[0].last), number_text(row.of[1].last), number_text(row.of[1].crossings)});
+    CsvFile theory(files[2], {"offset", "rate_hat", "rate_linear"});  // growth in the time of a sound wave through a cell, dt = 0.2 h/c
+    for (int i = 0; i <= 24; ++i) {
+        std::vector<std::string> values{number_text(0.01 * i)};
+        for (const std::string& gradient : gradients)
+            values.push_back(number_text(ImpmGrowth(choice_of(set, gradient), 0.01 * i, 0.2).largest_rate()));
+        theory.row(values);
+    }
     files.push_back(write_figure(
         folder, program, "noise.csv", "Growth of noise in one period",
         {{"", "cells", "cells", "largest growth of the rms noise [-]",
-          {{"hat", "gradient of the hat functions", "linespoints"}, {"linear", "linear between cells", "linespoints"}}, "", "noise.csv"}}));
+          {{"hat", "gradient of the hat functions", "linespoints"}, {"linear", "linear between cells", "linespoints"}}, "", "noise.csv"},
+         {"", "offset", "offset of the particles [cells]", "growth rate [c/h]",
+          {{"rate_hat", "gradient of the hat functions", "lines"}, {"rate_linear", "linear between cells", "lines"}}, "", "theory.csv"}}));
     return files;
 }
 
@@ -81,14 +99,11 @@ int run(int argc, char** argv) {
     for (const int cells : set.cells) {
         Row& row = rows.emplace_back(Row{cells, {}});
         for (const std::string& gradient : gradients) {
-            ImpmChoice choice;
-            choice.gradient = gradient;
-            choice.mls.support = set.support;
-            row.of.push_back(grow_noise(choice, set.scene, cells, set.ppc, set.amplitude));
+            row.of.push_back(grow_noise(choice_of(set, gradient), set.scene, cells, set.ppc, set.amplitude));
         }
     }
     make_folder(folder);
-    std::vector<std::string> files = write_files(folder, rows, options);
+    std::vector<std::string> files = write_files(folder, rows, set, options);
     add_picture(folder, program, set.plot, files);
     if (!set.quiet) report(rows, files);
     return 0;
