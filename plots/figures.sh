@@ -177,6 +177,17 @@ run contact-wall disk_on_wall --cells 10,20 --records 300
 run contact-patch contact_patch
 run contact-patch-whole contact_patch --whole
 
+# Locking: the cantilever with and without F-bar for Poisson's ratios up to 0.49999, and the pressure of Cook's membrane.
+for nu in 0.3 0.49 0.499 0.4999 0.49999; do
+    run locking-off-$nu fbar_cantilever --fbar off --nu $nu --records 200
+    run locking-moving-$nu fbar_cantilever --nu $nu --records 200
+    run locking-tlmpm-$nu fbar_cantilever --scheme tlmpm --nu $nu --records 200
+done
+run locking-grid-0.499 fbar_cantilever --fbar grid --watch warn --records 200 || [ $? -eq 3 ]
+for fbar in off grid moving; do
+    run cook-$fbar fbar_block --fbar $fbar --shape ugimp --t-end 14.8 --frames 1 --records 100 --watch warn || [ $? -eq 3 ]
+done
+
 # Variants side by side: error against run time of the segment, largest stable steps and stiff cases of the bar.
 segment() { printf ' -- mms_segment --G 0.05 --ppc 2 --repeat 5 %s' "$*"; }
 run segment compare --cells 8,16,32,64,128 --fresh $(
