@@ -39,7 +39,8 @@ void check(const Options& options, SegmentSettings& s, const Choice& choice) {
     if (s.stress != "musl" && s.scheme != "tlmpm") throw BadInput("--stress: only --scheme tlmpm has two flavours, not " + s.scheme);
     s.transfer.check(s.common.ppc);
     if (s.scheme == "impm") {
-        if (s.transfer.name != "flip") throw BadInput("--transfer " + s.transfer.name + ": --scheme impm fits velocities itself; allowed: flip");
+        if (s.transfer.name != "flip")
+            throw BadInput("--transfer " + s.transfer.name + ": --scheme impm fits velocities itself; allowed: flip");
         if (!options.given("force")) s.scene.force = "nodes";  // the mass of its nodes is not made of m_p
     } else if (const std::string name = s.impm.changed(); !name.empty()) {
         throw BadInput("--" + name + ": only --scheme impm has it, not " + s.scheme);

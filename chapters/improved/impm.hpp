@@ -35,10 +35,9 @@ template <int Dim> struct Impm : ImpmChoice {
             body.grid.reset();
             cells[b].find(body.grid.lattice(), body.points, surface == "whole", quadrature == "gauss");
             cells[b].each_sample(body.grid.threads(), [&](CellPoint<D>& c, const Vec<D>& x) {
-                const auto fit = mls_at<1 + D * D>(mls, near, body.points, x, density_and_stress<Point<D>>);
-                seen->see(fit.degree, mls);
-                c.rho = fit.values[0];                                                    // 16
-                c.sigma = Eigen::Map<const Mat<D>>(fit.values.data() + 1);                // 17
+                const auto rho_sigma = fitted<1 + D * D>(near, body.points, x, density_and_stress<Point<D>>);
+                c.rho = rho_sigma[0];                                                     // 16
+                c.sigma = Eigen::Map<const Mat<D>>(rho_sigma.data() + 1);                 // 17
             });
             in_ranges(body.grid.threads(), static_cast<std::size_t>(body.grid.size()), [&](std::size_t number) {
                 const int I = static_cast<int>(number);
@@ -47,7 +46,8 @@ template <int Dim> struct Impm : ImpmChoice {
                     node.m += N * c.rho * c.V;                                            // 2
                     node.f -= c.V * c.sigma * grad;                                       // 4
                 });
-                if (node.m > 0) node.mv = node.m * velocity_at(body, near, I);            // 3
+                if (!(node.m > 0)) return;
+                node.mv = node.m * fitted<D>(near, body.points, body.grid.lattice().position(I), [](const auto& p) { return p.v; });  // 3
             });
             seen->weigh(body);
             scene.load(body, t);                                                          // 5
@@ -83,13 +83,14 @@ private:
         u.template tail<Dim * Dim>() = Eigen::Map<const Vec<Dim * Dim>>(p.sigma.data());
         return u;
     }
-    /// Line 3. A node of a cell with particles that sees none within the support takes the weighted mean of those within two cells.
-    template <class Body> Vec<Dim> velocity_at(const Body& body, const NearPoints<Dim>& near, int I) const {
-        const Vec<Dim> x = body.grid.lattice().position(I);
-        const auto fit = mls_at<Dim>(mls, near, body.points, x, [](const auto& p) { return p.v; });
+    /// Values at x by moving least squares. A place in a cell with particles that sees none within the support takes the weighted mean of
+    /// those within two cells.
+    template <int F, class Points, class Values>
+    Eigen::Matrix<double, F, 1> fitted(const NearPoints<Dim>& near, const Points& points, const Vec<Dim>& x, Values&& values) const {
+        const auto fit = mls_at<F>(mls, near, points, x, values);
         seen->see(fit.degree, mls);
         if (fit.degree >= 0) return fit.values;
-        return mls_at<Dim>(MlsChoice{0, 2, mls.quartic}, near, body.points, x, [](const auto& p) { return p.v; }).values;
+        return mls_at<F>(MlsChoice{0, 2, mls.quartic}, near, points, x, values).values;
     }
 };
 

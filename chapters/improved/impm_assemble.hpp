@@ -7,7 +7,8 @@
 namespace mpm {
 
 /// One resolution with hat functions, as the iMPM has them, and FLIP; its report tells what the run has counted.
-template <class Scene> Assembled assemble_impm(const ImpmChoice& choice, const Scene& scene, double alpha, int cells, const Common& common) {
+template <class Scene>
+Assembled assemble_impm(const ImpmChoice& choice, const Scene& scene, double alpha, int cells, const Common& common) {
     const Impm<Scene::D> scheme{choice};
     Assembled a = assemble_with<Hat, false>(scheme, scene, Flip{alpha}, cells, common);
     a.facts = [facts = a.facts, seen = scheme.seen](double t_end) {

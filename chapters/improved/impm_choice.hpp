@@ -25,7 +25,8 @@ struct ImpmOptions : ImpmChoice {
         o.choice("weight", weight, {"cubic", "quartic"}, of + "spline that weighs the particles (D.6, D.7)");
         o.number("limit", mls.limit, "-", at_least(1), of + "square of a fit's largest amplification of noise; 1 is that of a mean");
         o.choice("surface", surface, {"part", "whole"}, of + "cells at a surface hold as much as their particles do, or are whole");
-        if (dim == 2) o.choice("quadrature", quadrature, {"centre", "gauss"}, of + "one point in the middle of a cell, or 2 x 2 Gauss points");
+        if (dim == 2)
+            o.choice("quadrature", quadrature, {"centre", "gauss"}, of + "one point in the middle of a cell, or 2 x 2 Gauss points");
     }
     /// The name of an option that is not at its default, or "", to refuse it where it means nothing.
     std::string changed() const {

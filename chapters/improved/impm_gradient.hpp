@@ -7,10 +7,10 @@
 
 namespace mpm {
 
-/// Along an axis, (v_{i+1} - v_i)/h is the gradient in the middle of an edge between nodes, to second order. It is interpolated linearly from
-/// middle to middle along the axis (in 1D from cell centre to cell centre), and across the axis as the hat functions do. Where the next edge
-/// holds no material, at a surface or the end of the grid, it is extrapolated from the one on the other side. Inside a body the weights are
-/// those of the quadratic B-spline's gradient times a hat across. `grid` has `v_new` and `m` > 0 where material is.
+/// Along an axis, (v_{i+1} - v_i)/h is the gradient in the middle of an edge between nodes, to second order. It is interpolated linearly
+/// from middle to middle along the axis (in 1D from cell centre to cell centre), and across the axis as the hat functions do. Where the
+/// next edge holds no material, at a surface or the end of the grid, it is extrapolated from the one on the other side. Inside a body the
+/// weights are those of the quadratic B-spline's gradient times a hat across. `grid` has `v_new` and `m` > 0 where material is.
 template <int D, class Grid> Mat<D> gradient_between_cells(const Grid& grid, const Vec<D>& x) {
     const Lattice<D>& lattice = grid.lattice();
     Vec<D> r;  // place in the cell

@@ -1,5 +1,5 @@
-/// Linear stability of the improved MPM (impm.hpp) on an endless bar at rest: how fast its fastest wave grows or fades when all particles lie
-/// off the places they started from by the same part of a cell.
+/// Linear stability of the improved MPM (impm.hpp) on an endless bar at rest: how fast its fastest wave grows or fades when all particles
+/// lie off the places they started from by the same part of a cell.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 
 namespace mpm {
 
-/// In units of the cell size, the wave speed and the density, with two particles per cell at 1/4 + offset and 3/4 + offset, |offset| < 1/4. A
-/// wave multiplies from cell to cell by exp(i k h): velocities and strains of a cell's two particles are all there is to know.
+/// In units of the cell size, the wave speed and the density, with two particles per cell at 1/4 + offset and 3/4 + offset, |offset| < 1/4.
+/// A wave multiplies from cell to cell by exp(i k h): velocities and strains of a cell's two particles are all there is to know.
 class ImpmGrowth {
 public:
     ImpmGrowth(const ImpmChoice& choice, double offset, double courant) : choice_(choice), offset_(offset), dt_(courant) {}

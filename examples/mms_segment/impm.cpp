@@ -3,6 +3,8 @@
 
 namespace mpm {
 
-Assembled impm_segment(const SegmentSettings& s, int cells) { return assemble_impm(s.impm.choice(), s.scene, s.transfer.alpha, cells, s.common); }
+Assembled impm_segment(const SegmentSettings& s, int cells) {
+    return assemble_impm(s.impm.choice(), s.scene, s.transfer.alpha, cells, s.common);
+}
 
 }  // namespace mpm

@@ -20,7 +20,8 @@ double e1(double G, int cells, const ImpmChoice& choice = {}) {
     const double dt = scene.period() / steps;
     for (int k = 0; k < steps; ++k) {
         scheme.step(body, Free{}, scene, k * dt, dt);
-        error.sample(body[0].points, [&](const auto& p) { return Vec<1>(scene.u(p.X[0], (k + 1) * dt)); }, [](const auto& p) { return p.V; });
+        error.sample(
+            body[0].points, [&](const auto& p) { return Vec<1>(scene.u(p.X[0], (k + 1) * dt)); }, [](const auto& p) { return p.V; });
     }
     return error.e1();
 }

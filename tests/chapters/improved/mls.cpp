@@ -181,7 +181,8 @@ protected:
     const std::string folder = ::testing::TempDir() + "mpm_mls_" + std::to_string(getpid());
     void TearDown() override { std::filesystem::remove_all(folder); }
     int run(const std::string& options) const {
-        const int status = std::system((MPM_BUILD_DIR "/mls_approximation --quiet --out " + folder + " " + options + " 2>/dev/null").c_str());
+        const std::string command = MPM_BUILD_DIR "/mls_approximation --quiet --out " + folder + " " + options + " 2>/dev/null";
+        const int status = std::system(command.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 };
