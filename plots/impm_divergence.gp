@@ -47,7 +47,7 @@ plot for [d in '1.01 1.1 1.5'] 'data/impm-noise-'.d.'/noise.csv' using (column('
      'data/impm-noise-1.1/noise.csv' using (column('h')):(column('linear')) with linespoints lt 11 ps 1.4 title 'mended, d = 1.1 h'
 unset logscale
 set format y '%g'
-set title 'bar at rest, particles off'
+set title 'theory: bar at rest'
 set xlabel 'offset [cells]'
 set ylabel 'growth rate of the fastest wave [c/h]'
 set xrange [0:0.25]
