@@ -1,6 +1,6 @@
 # Why the iMPM as printed diverges on fine grids (review figure 69): largest error of the segment against the cell size, as printed and mended; growth of noise on
 # the particles in one period; and growth rates of an endless bar at rest whose particles lie off the middle. Grids finer than 1/512: plots/impm_fine.csv, measured
-# once by `mms_segment --scheme impm --ppc 2 --cfl 0.2765 (G = 1e-4: 0.2325) --cells 1024,2048,4096`.
+# once in steps of 0.2 h/c, as by `mms_segment --scheme impm --ppc 2 --limit 1e4 --cfl 0.2765 (G = 1e-4: 0.2325) --cells 1024,2048,4096`: 3 minutes a row of 4096.
 load 'style.gnuplot'
 set terminal pngcairo size 1700,720 font ',18'
 set output 'impm_divergence.png'
