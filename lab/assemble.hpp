@@ -204,7 +204,8 @@ template <class Matter, class Scene>
     return all;
 }
 
-/// `make_shape(lattice, points)` gives a body's weighting function. A coupling that takes energy tells `dissipated`, one with walls `supply`.
+/// `make_shape(lattice, points)` gives a body's weighting function. A coupling that takes energy tells `dissipated`, one with walls
+/// `supply`.
 template <class Shape, class Scheme, class Scene, class Transfer, class MakeShape, class Coupling = Free>
 [[gnu::cold]] Assembled assemble(const Scheme& scheme, const Scene& scene, const Transfer& transfer, const ShapeFacts& facts, int cells,
                                  const Common& common, MakeShape&& make_shape, const Coupling& coupling = {}) {

@@ -35,7 +35,8 @@ public:
     std::vector<RigidWall<D>> walls;
     std::shared_ptr<Log> log;
 
-    explicit Bardenhagen(const ContactChoice& chosen = {}, std::vector<RigidWall<D>> w = {}, std::shared_ptr<Log> l = std::make_shared<Log>())
+    explicit Bardenhagen(const ContactChoice& chosen = {}, std::vector<RigidWall<D>> w = {},
+                         std::shared_ptr<Log> l = std::make_shared<Log>())
         : choice(chosen), walls(std::move(w)), log(std::move(l)) {}
 
     /// Bonded bodies have one velocity at all times. Others meet the stress update of USF as they were mapped, as printed.
@@ -164,8 +165,8 @@ private:
         }
     }
 
-    /// Pair after pair, each keeping its momentum, until no pair changes any more: one sweep for two bodies. A pair's impulse is corrected as
-    /// a whole, so that what an early sweep pressed too much a later one takes back.
+    /// Pair after pair, each keeping its momentum, until no pair changes any more: one sweep for two bodies. A pair's impulse is corrected
+    /// as a whole, so that what an early sweep pressed too much a later one takes back.
     void in_pairs(std::span<Meeting> meetings) const {
         for (Meeting& meeting : meetings) meeting.J = Vec<D>::Zero();
         const int most = meetings.size() == 1 ? 1 : 1000;
@@ -199,7 +200,8 @@ private:
             log->friction += (J - pushes * meeting.n).dot(slip);
             log->pressed += pushes, log->rubbed += (J - pushes * meeting.n).norm(), log->in_play += J.norm();
             if (!meeting.b) log->made -= J;
-            if (const RigidWall<D>* w = meeting.b ? wall(*meeting.b) : nullptr) log->wall_impulse -= J, log->wall_work -= J.dot(w->velocity(t));
+            if (const RigidWall<D>* w = meeting.b ? wall(*meeting.b) : nullptr)
+                log->wall_impulse -= J, log->wall_work -= J.dot(w->velocity(t));
         }
         log->nodes += static_cast<long>(shared_.nodes.size());
         if (!shared_.nodes.empty()) ++log->steps;

@@ -16,7 +16,8 @@ struct ContactChoice {
     double reach = 0.8;      // of the gap by positions: distance at which faces are taken to touch [cells]
 
     void declare(Options& o) {
-        o.choice("contact", contact, {"none", "frictionless", "coulomb", "bonded"}, "none: bodies pass through each other; bonded: they stick, always");
+        o.choice("contact", contact, {"none", "frictionless", "coulomb", "bonded"},
+                 "none: bodies pass through each other; bonded: they stick, always");
         o.choice("normals", normals, {"gradient", "volume", "density", "regression"},
                  "from the gradient of mass (5.12), of volume, of the cells' density (5.11), or between the particles of both bodies");
         o.choice("common", common, {"on", "off"}, "one normal for each pair of bodies, or each body its own, as printed");
@@ -30,7 +31,9 @@ struct ContactChoice {
         return contact == "none" ? Law::none : contact == "bonded" ? Law::bonded : contact == "coulomb" ? Law::coulomb : Law::frictionless;
     }
     Normals kind() const {
-        return normals == "gradient" ? Normals::gradient : normals == "volume" ? Normals::volume : normals == "density" ? Normals::density : Normals::regression;
+        if (normals == "gradient") return Normals::gradient;
+        if (normals == "volume") return Normals::volume;
+        return normals == "density" ? Normals::density : Normals::regression;
     }
     Gap test() const { return gap == "velocity" ? Gap::velocity : gap == "position" ? Gap::position : Gap::extent; }
     double friction() const { return law() == Law::coulomb ? mu : 0; }

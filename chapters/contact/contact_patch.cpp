@@ -33,7 +33,8 @@ int run(int argc, char** argv) {
                      "t",
                      "time t [time]",
                      "mean displacement [length]",
-                     {{"x_upper", "upper part, x", "lines dt solid lc rgb '#c03030'"}, {"x_lower", "lower part, x", "lines dt 2 lc rgb '#3060c0'"}},
+                     {{"x_upper", "upper part, x", "lines dt solid lc rgb '#c03030'"},
+                      {"x_lower", "lower part, x", "lines dt 2 lc rgb '#3060c0'"}},
                      ""};
     const Description about{program, purpose, Scene::name, Scene::solves, {Scene::columns.begin(), Scene::columns.end()}, 0, {sway}};
     return run_program(about, options, common, [&](int cells) {

@@ -1,4 +1,5 @@
-/// disk_on_wall: an elastic disk meets a rigid wall, a plane or particles, at rest or moving (rigid_wall.hpp, bardenhagen.hpp; review 5.1.5).
+/// disk_on_wall: an elastic disk meets a rigid wall, a plane or particles, at rest or moving (rigid_wall.hpp, bardenhagen.hpp; review
+/// 5.1.5).
 ///   ./disk_on_wall --cells 10,20,40
 ///   ./disk_on_wall --wall particles --along 0.5 --mu 0.2 --plot png
 #include "chapters/contact/bardenhagen.hpp"
@@ -50,13 +51,15 @@ int run(int argc, char** argv) {
                          "t",
                          "time t [time]",
                          "velocity of the disk [length/time]",
-                         {{"speed", "computed", "lines dt solid lc rgb '#c03030'"}, {"speed_rigid", "rebound at once", "lines dt 2 lc rgb 'black'"}},
+                         {{"speed", "computed", "lines dt solid lc rgb '#c03030'"},
+                          {"speed_rigid", "rebound at once", "lines dt 2 lc rgb 'black'"}},
                          ""};
     const Description about{program, purpose, Scene::name, Scene::solves, {Scene::columns.begin(), Scene::columns.end()}, 0, {velocity}};
     return run_program(about, options, common, [&](int cells) {
         Scene scene = disk;
         scene.log = std::make_shared<ContactLog<2>>();
-        return assemble_with<Hat, false>(Musl{}, scene, Flip{}, cells, common, Bardenhagen<2>(contact, {floor_of(scene, cells)}, scene.log));
+        const Bardenhagen<2> coupling(contact, {floor_of(scene, cells)}, scene.log);
+        return assemble_with<Hat, false>(Musl{}, scene, Flip{}, cells, common, coupling);
     });
 }
 

@@ -20,7 +20,8 @@ const std::vector<std::string> ways{"gradient", "volume", "density", "regression
 std::vector<std::string> write_files(const std::string& folder, const NormalsSettings& s, const Options& options, bool quiet) {
     std::vector<std::string> files{folder + "/run.ini", folder + "/normals.csv"};
     write_file(files[0], options.ini());
-    CsvFile table(files[1], {"normals", "nodes", "own_mean", "own_most", "common_mean", "common_most", "non_collinear_mean", "non_collinear_most"});
+    CsvFile table(files[1], {"normals", "nodes", "own_mean", "own_most",
+                             "common_mean", "common_most", "non_collinear_mean", "non_collinear_most"});
     if (!quiet) std::printf("%-12s angle to the circle's, mean / most [degrees]: own  common  own of both against each other\n", "");
     for (const std::string& way : ways) {
         const std::vector<NodeNormals> all = normals_around(s, way);
@@ -35,15 +36,16 @@ std::vector<std::string> write_files(const std::string& folder, const NormalsSet
         for (const double x : {own.mean, own.most, common.mean, common.most, line.mean, line.most}) row.push_back(number_text(x));
         table.row(row);
         if (!quiet)
-            std::printf("%-12s %6.2f / %6.2f   %6.2f / %6.2f   %6.2f / %6.2f\n", way.c_str(), own.mean, own.most, common.mean, common.most, line.mean,
-                        line.most);
+            std::printf("%-12s %6.2f / %6.2f   %6.2f / %6.2f   %6.2f / %6.2f\n", way.c_str(), own.mean, own.most, common.mean, common.most,
+                        line.mean, line.most);
     }
     std::vector<Curve> curves;
     for (const std::string column : {"error_own", "error_common"})
-        curves.push_back({column, column == "error_own" ? "the disk's own" : "one for both", "points pt " + std::string(column == "error_own" ? "6" : "7")});
+        curves.push_back({column, column == "error_own" ? "the disk's own" : "one for both", column == "error_own" ? "points pt 6" : "points pt 7"});
     std::vector<Panel> panels;
     for (const std::string& way : ways)
-        panels.push_back({way, "angle", "place on the circle [degrees]", "angle to its normal [degrees]", curves, "[-180:180]", "nodes_" + way + ".csv"});
+        panels.push_back({way, "angle", "place on the circle [degrees]", "angle to its normal [degrees]", curves,
+                          "[-180:180]", "nodes_" + way + ".csv"});
     files.push_back(write_figure(folder, program, "nodes_gradient.csv", "Error of grid normals around a disk", panels, 2));
     return files;
 }

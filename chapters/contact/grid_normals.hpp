@@ -71,7 +71,8 @@ inline std::vector<NodeNormals> normals_around(const NormalsSettings& s, const s
     std::vector<NodeNormals> result;
     for (const SharedNode<2>& node : shared.nodes) {
         const std::span<Side<2>> sides = shared.of(node);
-        NodeNormals& at = result.emplace_back(NodeNormals{node.x, s.beside == "hole" ? Vec<2>((node.x - centre).normalized()) : Vec<2>(0, -1)});
+        const Vec<2> exact = s.beside == "hole" ? Vec<2>((node.x - centre).normalized()) : Vec<2>(0, -1);
+        NodeNormals& at = result.emplace_back(NodeNormals{node.x, exact});
         at.common = common_normal<2>(shared, sides[0], sides[1], nullptr, choice.kind());
         at.own = way == "regression" ? at.common : own_normal(sides[0]);
         at.other = way == "regression" ? Vec<2>(-at.common) : own_normal(sides[1]);
@@ -85,7 +86,8 @@ struct MeanMost {
 };
 inline MeanMost over(const std::vector<NodeNormals>& all, double (NodeNormals::*value)() const) {
     MeanMost sum;
-    for (const NodeNormals& at : all) sum.mean += (at.*value)() / static_cast<double>(all.size()), sum.most = std::max(sum.most, (at.*value)());
+    for (const NodeNormals& at : all)
+        sum.mean += (at.*value)() / static_cast<double>(all.size()), sum.most = std::max(sum.most, (at.*value)());
     return sum;
 }
 

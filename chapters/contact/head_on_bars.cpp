@@ -34,7 +34,8 @@ int run(int argc, char** argv) {
                          "t",
                          "time t [time]",
                          "mean velocity of the left bar [length/time]",
-                         {{"v_left", "computed", "lines dt solid lc rgb '#c03030'"}, {"v_left_exact", "exact", "lines dt 2 lc rgb 'black'"}},
+                         {{"v_left", "computed", "lines dt solid lc rgb '#c03030'"},
+                          {"v_left_exact", "exact", "lines dt 2 lc rgb 'black'"}},
                          ""};
     using Scene = HeadOnBars;
     const Description about{program, purpose, Scene::name, Scene::solves, {Scene::columns.begin(), Scene::columns.end()}, 0, {velocity}};

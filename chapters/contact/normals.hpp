@@ -19,7 +19,8 @@ template <int D> std::span<const CloudPoint<D>> cloud(const SharedNodes<D>& shar
 /// The pair's common normal, from side a to side b; zero where none can be told. A plane knows its own. Gradients count by what they weigh:
 /// the difference of both, in which a wall, whose mass is infinite, has the only say.
 template <int D>
-Vec<D> common_normal(const SharedNodes<D>& shared, const Side<D>& a, const Side<D>& b, const RigidWall<D>* wall, ContactChoice::Normals kind) {
+Vec<D> common_normal(const SharedNodes<D>& shared, const Side<D>& a, const Side<D>& b, const RigidWall<D>* wall,
+                     ContactChoice::Normals kind) {
     if (wall && wall->plane()) return -wall->normal;
     if (kind == ContactChoice::Normals::regression) return parting_normal<D>(cloud(shared, a), cloud(shared, b), shared.lattice().per_h());
     const Vec<D> n = wall ? Vec<D>(-b.out) : Vec<D>(a.out - b.out);

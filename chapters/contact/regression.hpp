@@ -10,12 +10,13 @@
 
 namespace mpm {
 
-/// Unit normal of the plane phi . (x/h, 1) = 0, from cloud a to cloud b; zero if there is none. Particles of a have the value -1, those of b
-/// the value 1. The linear fit of these values starts Newton's method for the least sum of log(1 + exp(-value phi . X)), at most 15 steps.
+/// Unit normal of the plane phi . (x/h, 1) = 0, from cloud a to cloud b; zero if there is none. Particles of a have the value -1, those of
+/// b the value 1. The linear fit of these values starts Newton's method for the least sum of log(1 + exp(-value phi . X)), at most 15 steps.
 /// Where a plane parts the clouds, phi grows towards the widest margin: the faces decide, not how far the clouds happen to reach behind
 /// them. A penalty `ridge`/2 |phi|^2 makes the least unique; a large one leans the plane towards the linear fit, which is the clouds' shape
 /// (1e-2: a block on a slope loses 14 % of its travel, 1e-4: 2 %).
-template <int D> Vec<D> parting_normal(std::span<const CloudPoint<D>> a, std::span<const CloudPoint<D>> b, const Vec<D>& per_h, double ridge = 1e-8) {
+template <int D>
+Vec<D> parting_normal(std::span<const CloudPoint<D>> a, std::span<const CloudPoint<D>> b, const Vec<D>& per_h, double ridge = 1e-8) {
     using Features = Vec<D + 1>;
     using Square = Mat<D + 1>;
     const auto each = [&](auto&& visit) {

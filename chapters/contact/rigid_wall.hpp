@@ -1,5 +1,5 @@
-/// Rigid walls as partners in contact (review 5.1.5, figures 48 and 49): planes, or bodies of rigid particles, at rest or moving. A wall has
-/// an infinite mass, so the centre-of-mass velocity (5.3) is its own.
+/// Rigid walls as partners in contact (review 5.1.5, figures 48 and 49): planes, or bodies of rigid particles, at rest or moving. A wall
+/// has an infinite mass, so the centre-of-mass velocity (5.3) is its own.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,8 @@ template <int D> struct RigidWall {
         marks.assign(static_cast<std::size_t>(lattice.size()), 0);
         if (plane()) {
             const double reach = lattice.h().cwiseProduct(normal).template lpNorm<1>() * (1 - 1e-9);
-            for (int I = 0; I < lattice.size(); ++I) marks[static_cast<std::size_t>(I)] = height(lattice.position(I), t) < reach ? 1 : 0;
+            for (int I = 0; I < lattice.size(); ++I)
+                if (height(lattice.position(I), t) < reach) marks[static_cast<std::size_t>(I)] = 1;
             return;
         }
         for (const Vec<D>& X_p : X) each_corner(lattice, X_p + motion.displacement(t), [&](int I) { marks[static_cast<std::size_t>(I)] = 1; });

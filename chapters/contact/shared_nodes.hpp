@@ -72,7 +72,8 @@ public:
     }
 
     /// Gathers from the particles what normals and gaps are made of.
-    template <class Bodies> void measure(const Bodies& bodies, const std::vector<RigidWall<D>>& walls, const ContactChoice& choice, double t) {
+    template <class Bodies>
+    void measure(const Bodies& bodies, const std::vector<RigidWall<D>>& walls, const ContactChoice& choice, double t) {
         if (nodes.empty()) return;
         for (const auto& body : bodies) measure_body(body, static_cast<std::size_t>(&body - &bodies[0]), choice);
         measure_walls(walls, t);
@@ -130,7 +131,8 @@ private:
     }
     bool near(const Vec<D>& x) const {
         int cell = 0;
-        for (int d = D; d-- > 0;) cell = cell * lattice_.cells(d) + std::min(static_cast<int>(lattice_.in_cells(x[d], d)), lattice_.cells(d) - 1);
+        for (int d = D; d-- > 0;)
+            cell = cell * lattice_.cells(d) + std::min(static_cast<int>(lattice_.in_cells(x[d], d)), lattice_.cells(d) - 1);
         return near_[static_cast<std::size_t>(cell)] != 0;
     }
 

@@ -5,5 +5,6 @@
 #include "chapters/contact/slope_program.hpp"
 
 int main(int argc, char** argv) {
-    return mpm::guarded("sliding_block", [&] { return mpm::slope_program("sliding_block", "a block slides down a slope", false, argc, argv); });
+    return mpm::guarded("sliding_block",
+                        [&] { return mpm::slope_program("sliding_block", "a block slides down a slope", false, argc, argv); });
 }

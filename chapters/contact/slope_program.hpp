@@ -12,7 +12,7 @@ struct SlopeRun {
     Common common;
     SlopeSettings slope;
     ContactChoice contact;
-    std::string scheme = "musl";
+    std::string scheme = "usf";
     bool disk = false;
 };
 

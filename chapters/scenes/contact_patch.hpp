@@ -56,7 +56,8 @@ struct ContactPatch {
         return {Vec<2>(-pad * h, -2 * h), Vec<2>::Constant(h), {cells + 2 * pad, cells + pad}, per_cell};
     }
     template <class Point> std::vector<std::vector<Point>> bodies(int cells, int ppc) const {
-        std::vector<Point> all = particles_inside<Point>(Box{Vec<2>(0, 0), Vec<2>(1, 1)}, lattice(cells, 1), middles(ppc), rho), upper, lower;
+        std::vector<Point> all = particles_inside<Point>(Box{Vec<2>(0, 0), Vec<2>(1, 1)}, lattice(cells, 1), middles(ppc), rho);
+        std::vector<Point> upper, lower;
         for (Point& p : all) p.v[0] = v0 * p.X[1];
         for (const Point& p : all) (p.X[1] > cut ? upper : lower).push_back(p);
         if (whole) return {all};

@@ -35,7 +35,8 @@ struct DisksInContact : TwoDisks<false> {
         return (0.6 * std::numbers::sqrt2 - along) / (2 * std::numbers::sqrt2 * v0);
     }
     template <class Point> std::vector<std::vector<Point>> bodies(int cells, int ppc) const {
-        std::vector<Point> lower = placing == "cells" ? lower_disk<Point>(cells, ppc) : rings<Point>(Vec<2>(0.2, 0.2), radius, 1.0 / cells / ppc, rho);
+        std::vector<Point> lower = placing == "cells" ? lower_disk<Point>(cells, ppc)
+                                                      : rings<Point>(Vec<2>(0.2, 0.2), radius, 1.0 / cells / ppc, rho);
         for (Point& p : lower) p.v = Vec<2>(v0, v0);
         std::vector<Point> upper = lower;
         for (Point& p : upper) {
@@ -64,8 +65,8 @@ struct DisksInContact : TwoDisks<false> {
     template <class Points> std::array<double, 5> watch(const Points& points, double t) const {
         const State now = state(points);
         const double along = 0.6 * std::numbers::sqrt2 - 2 * std::numbers::sqrt2 * v0 * t;
-        return {now.approach, t < touches() ? std::hypot(along, impact * radius) : std::numeric_limits<double>::quiet_NaN(), now.speed, now.gap,
-                log->friction};
+        const double exact = t < touches() ? std::hypot(along, impact * radius) : std::numeric_limits<double>::quiet_NaN();
+        return {now.approach, exact, now.speed, now.gap, log->friction};
     }
 
     /// When the disks feel each other: at the first impulse of contact; in one field when the kinetic energy has fallen by 0.1 %.

@@ -20,7 +20,8 @@
 namespace mpm {
 
 struct BarsSettings {
-    double E = 100, rho = 1, length = 1, v0 = 0.01, clearance = 0.001, ratio = 1;  // modulus, density, length, speed, gap, density of the right bar over the left one
+    double E = 100, rho = 1, length = 1;              // modulus, density, length
+    double v0 = 0.01, clearance = 0.001, ratio = 1;   // speed, gap, density of the right bar over that of the left one
 
     void declare(Options& o) {
         o.number("E", E, "stress", above(0), "Young's modulus");

@@ -50,7 +50,8 @@ struct Slope : SlopeSettings {
     static constexpr const char* name = "slope";
     static constexpr const char* solves = "an elastic body slides or rolls down an elastic slab";
     static constexpr const char* reference = "exact";
-    static constexpr std::array<const char*, 8> columns{"travel", "travel_exact", "speed", "speed_exact", "spin", "spin_exact", "friction", "gravity_work"};
+    static constexpr std::array<const char*, 8> columns{"travel", "travel_exact", "speed", "speed_exact",
+                                                      "spin", "spin_exact", "friction", "supplied_work"};
     static constexpr bool may_break = true;  // particles of a pressed contact may leave cells without one
     using Law = NeoHookean;
 
@@ -59,7 +60,8 @@ struct Slope : SlopeSettings {
     std::shared_ptr<ContactLog<2>> log = std::make_shared<ContactLog<2>>();
 
     Slope() = default;
-    Slope(const SlopeSettings& settings, bool is_disk, double friction, double end, int cells) : SlopeSettings(settings), disk(is_disk), mu(friction), t_end(end) {
+    Slope(const SlopeSettings& settings, bool is_disk, double friction, double end, int cells)
+        : SlopeSettings(settings), disk(is_disk), mu(friction), t_end(end) {
         const double a = angle * std::numbers::pi / 180;
         sin_ = std::sin(a), cos_ = std::cos(a);
         down_ = grid == "aligned" ? Vec<2>(1, 0) : Vec<2>(cos_, -sin_);
@@ -97,6 +99,7 @@ struct Slope : SlopeSettings {
         if (!disk && sin_ <= mu * cos_) return {0, 0, rise};
         return {g * (sin_ - mu * cos_), disk ? 2 * mu * g * cos_ / radius : 0, rise};
     }
+    double mass() const { return rho * (disk ? std::numbers::pi * radius * radius : 0.5); }
     double free_travel(double t) const { return Motion{g * sin_, 0, rise}.travel(t); }
 
     Lattice<2> lattice(int cells, int per_cell) const {
@@ -200,7 +203,7 @@ struct Slope : SlopeSettings {
             const ContactLog<2>& log = *scene.log;
             return {{"travel / exact - 1", exact > 0 ? end.travel / exact - 1 : std::numeric_limits<double>::quiet_NaN()},
                     {"friction over normal impulses", log.rubbed / log.pressed},
-                    {"momentum made by contact / weight impulse", log.made.norm() / (scene.g * t * scene.rho * (scene.disk ? std::numbers::pi / 4 : 0.5))},
+                    {"momentum made by contact / weight impulse", log.made.norm() / (scene.g * t * scene.mass())},
                     {"shared nodes a step", static_cast<double>(log.nodes) / static_cast<double>(std::max(1L, log.steps))},
                     {"pairs without a normal", static_cast<double>(log.without_normal)},
                     {"energy that friction took", log.friction},
