@@ -23,7 +23,7 @@ struct FreeBar {
     static constexpr const char* name = "free-bar";
     static constexpr const char* solves = "a free bar flies through the cells of the grid while it vibrates";
     static constexpr const char* reference = "exact";
-    static constexpr std::array<const char*, 5> columns{"vibration", "vibration_exact", "rms_dt_a", "x_cm", "x_cm_exact"};
+    static constexpr std::array<const char*, 6> columns{"vibration", "vibration_exact", "mode", "rms_dt_a", "x_cm", "x_cm_exact"};
     using Law = NeoHookean;
 
     double E = 100, rho = 1, length = 10, speed_ = 1, v0 = 1e-3, offset = 0;  // modulus, density, length, flight, amplitude, shift [cells]
@@ -68,17 +68,20 @@ struct FreeBar {
         return all;
     }
 
-    /// Amplitude of the mode's velocity over v0 (over V without vibration); what the grid does not see of particles shows in dt a.
-    template <class Points> std::array<double, 5> watch(const Points& points, double t) const {
-        double up = 0, down = 0, a2 = 0, m = 0, mx = 0, mX = 0;
+    /// Velocity of the mode over v0 (over V without vibration), its exact value, amplitude of the mode from velocity and displacement; what
+    /// the grid does not see of particles shows in dt a.
+    template <class Points> std::array<double, 6> watch(const Points& points, double t) const {
+        double v_mode = 0, u_mode = 0, shape2 = 0, a2 = 0, m = 0, mx = 0, mX = 0;
         for (const auto& p : points) {
             const double shape = std::cos(std::numbers::pi * p.X[0] / length);
-            up += p.m * (p.v[0] - speed_) * shape, down += p.m * shape * shape;
+            v_mode += p.m * (p.v[0] - speed_) * shape, shape2 += p.m * shape * shape;
+            u_mode += p.m * (p.x[0] - p.X[0] - offset * h(cells) - speed_ * t) * shape;
             a2 += p.m * p.a.squaredNorm(), m += p.m, mx += p.m * p.x[0], mX += p.m * (p.X[0] + offset * h(cells));
         }
         const double unit = v0 > 0 ? v0 : speed_;
         const double exact = v0 > 0 ? std::cos(2 * std::numbers::pi * t / period()) : 0;
-        return {up / down / unit, exact, dt * std::sqrt(a2 / m) / unit, mx / m, mX / m + speed_ * t};
+        const double amplitude = std::hypot(v_mode, u_mode * 2 * std::numbers::pi / period()) / shape2 / unit;
+        return {v_mode / shape2 / unit, exact, amplitude, dt * std::sqrt(a2 / m) / unit, mx / m, mX / m + speed_ * t};
     }
 
     /// Energy without that of the flight, relative to its start.
@@ -93,7 +96,7 @@ struct FreeBar {
             if (t == 0) first = last;
             most = std::max(most, last), least = std::min(least, last);
             const auto seen = bar.watch(points, t);
-            path = seen[3] - seen[4];
+            path = seen[4] - seen[5];
         }
         bool wants_energy(double, double) const { return true; }
         const char* v0_text() const {

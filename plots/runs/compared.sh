@@ -1,4 +1,5 @@
-# Variants side by side: error against run time of the segment, largest stable steps and stiff cases of the bar, the iMPM beside others.
+# Variants side by side: error against run time of the segment, largest stable steps and stiff cases of the bar, the iMPM beside others,
+# implicit beside explicit.
 segment() { printf ' -- mms_segment --G 0.05 --ppc 2 --repeat 5 %s' "$*"; }
 run segment compare --cells 8,16,32,64,128 --fresh $(
     segment '--scheme fem'; segment '--scheme fem --shape lagrange'; segment '--scheme tlmpm'; segment '--scheme tlmpm --shape bernstein'
@@ -20,3 +21,9 @@ run stability stability --tolerance 0.05 --contrast 1,1e2 --finest 256 -- contra
     -- contrast_bar --scheme usf -- contrast_bar --scheme musl -- contrast_bar --scheme tlmpm -- contrast_bar --scheme tlmpm --transfer apic \
     -- contrast_bar --scheme tlmpm --transfer fmpm -- contrast_bar --scheme musl --shape cubic -- contrast_bar --scheme usl --shape cpgimp
 cp "$figures/data/stability/stability_steps.png" "$figures/data/stability/stability_map.png" "$figures"
+for c in 1 1e4 1e8; do
+    run implicit-contrast-$c implicit_contrast_bar --contrast $c --cells 16,32,64 --repeat 3
+    cells=16,32,64; [ $c = 1e8 ] && cells=16,32
+    run explicit-contrast-$c contrast_bar --scheme musl --contrast $c --cells $cells --cfl 0.5 --records 100
+    run explicit-tl-contrast-$c contrast_bar --scheme tlmpm --contrast $c --cells $cells --cfl 0.5 --records 100
+done

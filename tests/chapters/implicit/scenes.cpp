@@ -4,7 +4,6 @@
 #include "chapters/scenes/cantilever.hpp"
 #include "chapters/scenes/graded.hpp"
 #include "chapters/scenes/rolling_disk.hpp"
-#include "tests/programs/process.hpp"
 
 namespace mpm {
 namespace {
