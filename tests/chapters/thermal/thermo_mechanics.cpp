@@ -4,38 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 
 #include "chapters/scenes/expanding_body.hpp"
-#include "chapters/scenes/sheared_block.hpp"
-#include "chapters/thermal/assemble_hot.hpp"
+#include "tests/chapters/thermal/hot_run.hpp"
 #include "tests/programs/process.hpp"
 
-namespace mpm {
+namespace mpm::test {
 namespace {
-
-struct Ran {
-    std::map<std::string, double> errors;
-    Snapshot particles;
-};
-
-/// Runs to the scene's t_end without files.
-template <class Scene> Ran ran(const Scene& scene, int cells, double cfl) {
-    Common common;
-    common.ppc = 2;
-    common.t_end = scene.t_end;
-    Assembled a = assemble_with<Hat, false>(ThermoMechanics{}, scene, Flip{}, cells, common);
-    const long steps = std::lround(std::ceil(scene.t_end / (cfl * a.critical_dt)));
-    const double dt = scene.t_end / static_cast<double>(steps);
-    for (long i = 0; i < steps; ++i) {
-        a.simulation.step(static_cast<double>(i) * dt, dt);
-        a.simulation.sample(static_cast<double>(i + 1) * dt, 0);
-    }
-    Ran r;
-    for (const NamedError& e : a.errors(scene.t_end)) r.errors[e.name] = e.value;
-    r.particles = a.simulation.particles();
-    return r;
-}
 
 // Even heating moves nothing: the stress is the sum of equal steps, to rounding.
 TEST(ThermoMechanics, ClampedBarHeatedEvenly) {
@@ -56,21 +31,6 @@ TEST(ThermoMechanics, FreePlateExpandsWithoutStress) {
     const Ran r = ran(ExpandingBody<2>(s, 10), 5, 0.5);
     EXPECT_LT(r.errors.at("strain"), 1e-3);
     EXPECT_LT(r.errors.at("stress_max"), 2e-3);
-}
-
-// The exact temperature leaves out the square of the elastic shear, 5e-6, and the explicit work its step in the elastic range, 1e-3 of
-// that.
-TEST(ThermoMechanics, PlasticWorkHeatsTheShearedBlock) {
-    for (const double H : {0.0, 500e6}) {
-        ShearSettings s;
-        s.H = H;
-        const Ran r = ran(ShearedBlock(s, 2e-5), 2, 0.2);
-        EXPECT_LT(r.errors.at("temperature"), 2e-4) << H;
-        EXPECT_LT(r.errors.at("work"), 2e-4) << H;
-        EXPECT_LT(r.errors.at("heat"), 1e-12) << H;
-        EXPECT_LT(r.particles.find("eps_p"), r.particles.find("T"));
-        EXPECT_LT(r.particles.find("T"), r.particles.columns.size());
-    }
 }
 
 /// A shaken bar, heated at its left end, for both schemes.
@@ -108,12 +68,6 @@ TEST(ThermoMechanics, WithoutExpansionMovesAsMusl) {
     hot.alpha = 1e-3;
     EXPECT_NE(shaken<ThermoMechanics>(hot), shaken<Musl>(cold));
 }
-
-}  // namespace
-}  // namespace mpm
-
-namespace mpm::test {
-namespace {
 
 TEST(ThermoMechanicsPrograms, BalanceTheirEnergies) {
     const Folder folder;
