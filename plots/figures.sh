@@ -62,10 +62,11 @@ echo "looking for the largest stable steps"
     -- contrast_bar --scheme tlmpm --transfer fmpm -- contrast_bar --scheme musl --shape cubic -- contrast_bar --scheme usl --shape cpgimp
 cp "$figures/data/stability/stability_steps.png" "$figures/data/stability/stability_map.png" "$figures"
 
-export GNUPLOT_LIB="$plots"
+# Recipes go with the figures, so that each can be drawn again there.
+cp "$plots"/*.gp "$plots"/*.csv "$plots"/style.gnuplot "$figures"
 for recipe in "$plots"/*.gp; do
     name=$(basename "$recipe" .gp)
-    (cd "$figures" && gnuplot "$recipe") || { echo "gnuplot failed on $recipe" >&2; exit 1; }
+    (cd "$figures" && gnuplot "$name.gp") || { echo "gnuplot failed on $recipe" >&2; exit 1; }
     echo "drew $name in $figures"
 done
 "$build/gallery" --plots "$plots" --figures "$figures"

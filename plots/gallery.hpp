@@ -32,8 +32,7 @@ struct GalleryRun {
 /// What the runs of a figure reached. Throws FileTrouble where a pattern fits no folder of figures/data.
 std::vector<GalleryRun> runs_of(const std::string& figures, const GalleryFigure& figure);
 
-/// Writes figures/index.html. Recipes of `plots` are copied beside the figures, so that each can be drawn again. Throws FileTrouble where a figure or what
-/// it was made of is missing.
+/// Writes figures/index.html. Throws FileTrouble where a figure, what it was made of, or what draws it again is missing.
 void write_gallery(const std::string& plots, const std::string& figures);
 
 }  // namespace mpm

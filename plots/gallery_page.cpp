@@ -120,9 +120,6 @@ std::vector<GalleryChapter> read_gallery(const std::string& path) {
 void write_gallery(const std::string& plots, const std::string& figures) {
     std::vector<GalleryChapter> chapters = read_gallery(plots + "/gallery.txt");
     check_all_listed(plots, chapters);
-    for (const auto& entry : fs::directory_iterator(plots))
-        if (entry.path().extension() == ".gp" || entry.path().filename() == "style.gnuplot")
-            fs::copy_file(entry.path(), fs::path(figures) / entry.path().filename(), fs::copy_options::overwrite_existing);
     std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>MPM Lab: the gallery</title>\n<style>";
     page += std::string(style) + "</style>\n</head>\n<body>\n<h1>MPM Lab: the gallery</h1>\n<p>Every figure, the commands that made its data, and the error and "
             "run time of the finest resolution. A script draws its figure again: <code>gnuplot name.gp</code> in this folder.</p>\n<nav>\n";

@@ -10,7 +10,7 @@ set linetype 12 lc rgb '#56b4e9' lw 2.5 dt (8,3) pt 6
 set linetype 13 lc rgb '#d55e00' lw 2.5 dt solid pt 9
 set linetype 14 lc rgb '#e69f00' lw 2.5 dt (8,3) pt 8
 set linetype 15 lc rgb '#cc79a7' lw 2.5 dt (2,4) pt 10
-fine = system('printf %s "$GNUPLOT_LIB"').'/impm_fine.csv'
+fine = 'impm_fine.csv'
 e1(x) = stringcolumn('error_name') eq 'e1' ? x : NaN
 row(g, s, G) = stringcolumn('gradient') eq g && abs(column('support') - s) < 0.01 && abs(column('G') / G - 1) < 0.01 ? column('e1') : NaN
 set multiplot layout 1,3 title 'The improved MPM: gradient at the particles as printed (of the hat functions) and mended (linear between cells)'

@@ -1,4 +1,4 @@
-# What the recipes of this folder share; plots/figures.sh makes it known to gnuplot (GNUPLOT_LIB).
+# What the recipes of this folder share.
 set encoding utf8
 set datafile separator ','
 set grid lc rgb '#dddddd' lt 1 lw 1

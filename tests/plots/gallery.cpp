@@ -22,7 +22,7 @@ struct Drawn {
     Drawn() {
         write("plots/gallery.txt", "# Bars & beams\nwave\n\n# Programs\nmesh | a-mesh | Cells <1.\n");
         write("plots/wave.gp", "# A wave,\n# in two lines.\nplot 'data/wave-'.name.'/history.csv', 'data/still/history.csv'\n");
-        write("plots/style.gnuplot", "");
+        write("figures/wave.gp", "");
         write("figures/wave.png", "");
         write("figures/mesh.png", "");
         write("figures/data/wave-1/command", "bar --cells 8,16\n");
