@@ -1,4 +1,4 @@
-# The source's figures 7 and 8: the bent beam with the flags M_E at J = 2, and the swinging tip.
+# The source's figures 7 and 8: the bent beam with the flags M_E at J = 2, and the swinging tip; what the published form loses.
 load 'style.gnuplot'
 set terminal pngcairo size 1500,1250 font ',20'
 set output 'implicit_cantilever.png'
@@ -10,12 +10,13 @@ set title 'flags M_E (0: no particles) and particles at t = 0.4 s, J = 2'
 set xlabel 'x [m]'
 set ylabel 'y [m]'
 set xrange [0:1]
-set yrange [-0.35:0.25]
+set yrange [-0.5:0.5]
 set palette defined (0 '#ffffff', 1 '#d9e6f2', 3 '#a6c8e0', 6 '#5a9bc9', 9 '#2a6496')
 set cbrange [0:9]
 set cblabel 'M_E [-]'
 unset key
-plot 'data/implicit-cantilever-8/domains_0001.csv' using (column('x')):(column('y')):(column('flag')) with filledcurves closed fc palette fs border lc rgb '#888888', \
+plot 'data/implicit-cantilever-8/domains_0001.csv' using (column('x')):(column('y')):(column('flag')) with filledcurves closed fc palette, \
+     'data/implicit-cantilever-8/domains_0001.csv' using (column('x')):(column('y')) with lines lc rgb '#aaaaaa' lw 1 dt solid, \
      'data/implicit-cantilever-8/particles_0001.csv' using (column('x')):(column('y')) with dots lc rgb '#d55e00'
 set size noratio
 set origin 0,0
@@ -24,8 +25,9 @@ set title 'displacement of the tip'
 set xlabel 'time t [s]'
 set ylabel 'displacement [m]'
 set xrange [0:4]
-set yrange [-0.15:0.15]
-set key outside bottom center maxrows 1 samplen 3
+set xtics 1
+set yrange [-0.4:0.5]
+set key inside top right maxrows 1 samplen 2
 plot 'data/implicit-cantilever-8/history.csv' using (column('t')):(column('tip')) with lines lt 1 title 'J = 2', \
      'data/implicit-cantilever-16/history.csv' using (column('t')):(column('tip')) with lines lt 2 title 'J = 3', \
      'data/implicit-cantilever-midpoint/history.csv' using (column('t')):(column('tip')) with lines lt 3 title 'J = 3, midpoint'

@@ -10,7 +10,7 @@ set xrange [-0.2:6.2]
 set xtics 1
 set yrange [1e-17:2]
 set title 'Newton converges quadratically down to rounding'
-set key outside right center Left reverse samplen 3
+set key top right Left reverse samplen 3
 step(n) = column('solution') == n ? column('residual') / column('terms') : NaN
 plot for [n in '1 60 120 180 240'] 'data/implicit-rolling-40/newton.csv' using (column('iteration')):(step(n + 0)) with linespoints lt 3 pt 6 ps 1.6 lw 2 \
          title (n eq '1' ? 'rolling disk, 5 steps' : ''), \

@@ -15,8 +15,8 @@ set palette defined (0 '#ffffff', 1 '#d9e6f2', 3 '#a6c8e0', 6 '#5a9bc9', 9 '#2a6
 set cbrange [0:9]
 set cblabel 'M_E [-]'
 unset key
-stats 'data/implicit-rolling-40/domains_0001.csv' using 1 nooutput
-plot 'data/implicit-rolling-40/domains_0001.csv' using (column('x')):(column('y')):(column('flag')) with filledcurves closed fc palette fs border lc rgb '#888888', \
+plot 'data/implicit-rolling-40/domains_0001.csv' using (column('x')):(column('y')):(column('flag')) with filledcurves closed fc palette, \
+     'data/implicit-rolling-40/domains_0001.csv' using (column('x')):(column('y')) with lines lc rgb '#aaaaaa' lw 1 dt solid, \
      'data/implicit-rolling-40/particles_0001.csv' using (column('x')):(column('y')) every 3 with dots lc rgb '#d55e00'
 set size noratio
 set origin 0,0
@@ -31,7 +31,7 @@ plot 'data/implicit-rolling-40/history.csv' using (column('t')):(column('path'))
      'data/implicit-rolling-80/history.csv' using (column('t')):(column('path')) with lines lt 3 title 'J = 2', \
      'data/implicit-rolling-40/history.csv' using (column('t')):(column('path_exact')) with lines lt 1 title 'rigid, rolls'
 set origin 0.5,0
-set title 'relative to the rigid disk: the error (52) is signed'
+set title 'relative to the rigid disk'
 set ylabel 'path / exact - 1 [-]'
 set yrange [-0.15:0.2]
 set key bottom right

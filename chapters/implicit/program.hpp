@@ -104,9 +104,10 @@ template <class Element, class Scene>
     Simulation& sim = a.simulation;
     sim.any_step = true;
     sim.step = [s, method](double t, double dt) { method->step(t, dt); };
-    sim.measure = [s] {
+    sim.measure = [s, method] {
         Measures sum;
         add_measures(s->body, sum);
+        sum.dissipated += method->counts().soft_work;
         return sum;
     };
     sim.check = [s, method, log] {
