@@ -26,8 +26,8 @@ set xlabel 'time t [s]'
 set ylabel 'displacement [m]'
 set xrange [0:4]
 set xtics 1
-set yrange [-0.4:0.5]
-set key inside top right maxrows 1 samplen 2
+set yrange [-0.4:0.8]
+set key inside top right Left reverse samplen 3
 plot 'data/implicit-cantilever-8/history.csv' using (column('t')):(column('tip')) with lines lt 1 title 'J = 2', \
      'data/implicit-cantilever-16/history.csv' using (column('t')):(column('tip')) with lines lt 2 title 'J = 3', \
      'data/implicit-cantilever-midpoint/history.csv' using (column('t')):(column('tip')) with lines lt 3 title 'J = 3, midpoint'

@@ -23,7 +23,7 @@ plot at('particle') using (cells(column('t'))):(vibration(0)) with lines lt 2 lw
 set key at graph 1.03,0.6
 unset logscale y
 set format y
-set yrange [0:1.05]
+set yrange [0:1.3]
 set ylabel 'amplitude of the mode / its start [-]'
 set title 'conserving midpoint: the energy stays, a part of it leaves the mode'
 plot at('conserving') using (cells(column('t'))):(column('mode')) with lines lt 2 title 'hat', \

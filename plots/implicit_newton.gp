@@ -6,7 +6,7 @@ set logscale y
 set format y '10^{%L}'
 set xlabel 'Newton iteration [-]'
 set ylabel '|r| / size of its terms [-]'
-set xrange [-0.2:6.2]
+set xrange [-0.2:4.6]
 set xtics 1
 set yrange [1e-17:2]
 set title 'Newton converges quadratically down to rounding'

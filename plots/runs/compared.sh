@@ -21,9 +21,8 @@ run stability stability --tolerance 0.05 --contrast 1,1e2 --finest 256 -- contra
     -- contrast_bar --scheme usf -- contrast_bar --scheme musl -- contrast_bar --scheme tlmpm -- contrast_bar --scheme tlmpm --transfer apic \
     -- contrast_bar --scheme tlmpm --transfer fmpm -- contrast_bar --scheme musl --shape cubic -- contrast_bar --scheme usl --shape cpgimp
 cp "$figures/data/stability/stability_steps.png" "$figures/data/stability/stability_map.png" "$figures"
-for c in 1 1e4 1e8; do
+for c in 1 1e4 1e6; do
     run implicit-contrast-$c implicit_contrast_bar --contrast $c --cells 16,32,64 --repeat 3
-    cells=16,32,64; [ $c = 1e8 ] && cells=16
-    run explicit-contrast-$c contrast_bar --scheme musl --contrast $c --cells $cells --cfl 0.5 --records 100
-    run explicit-tl-contrast-$c contrast_bar --scheme tlmpm --contrast $c --cells $cells --cfl 0.5 --records 100
+    cells=16,32,64; [ $c = 1e6 ] && cells=8,16
+    for scheme in musl tlmpm; do run $scheme-contrast-$c contrast_bar --scheme $scheme --contrast $c --cells $cells --cfl 0.5 --records 100; done
 done
