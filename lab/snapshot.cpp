@@ -123,6 +123,8 @@ void write_vtk(const std::string& path, const std::string& title, const Snapshot
 }
 
 void write_vtk(const std::string& path, const std::string& title, const GridSnapshot& s) {
+    const auto lacks = [&](const char* column) { return s.find(column) == s.columns.size(); };
+    if (lacks("m") && lacks("C")) return write_vtk(path, title, static_cast<const Snapshot&>(s));
     const bool plane = s.find("y") < s.columns.size();
     const auto n = static_cast<std::size_t>(s.nodes[0]) * static_cast<std::size_t>(s.nodes[1]);
     const std::size_t bodies = s.rows() / n;
@@ -136,9 +138,9 @@ void write_vtk(const std::string& path, const std::string& title, const GridSnap
         const std::string of_body = bodies > 1 ? std::string("_").append(std::to_string(b)) : "";
         const std::size_t first = b * n;
         for (const char* name : {"m", "C", "T"})
-            if (s.find(name) < s.columns.size())
+            if (!lacks(name))
                 scalars(out, name + of_body, n, [&, value = Column(s, name)](std::size_t i) { return value(first + i); });
-        if (s.find("m") == s.columns.size()) continue;
+        if (lacks("m")) continue;
         vectors(out, "v" + of_body, n, [&](std::size_t i, int d) {
             const double mass = m(first + i);
             return mass > 0 ? (d == 0 ? px : py)(first + i) / mass : 0.0;

@@ -44,7 +44,7 @@ void write_vtk(const std::string& path, const std::string& title, const Snapshot
 void write_vtk(const std::string& path, const std::string& title, const Snapshot& particles,
                const std::vector<std::array<std::size_t, 3>>& triangles);
 /// STRUCTURED_POINTS with mass m and velocity v of each body's nodes (m_0, v_0, m_1, ... if there are several), v = 0 where no mass is;
-/// of nodes that carry heat, its capacity C and temperature T.
+/// of nodes that carry heat, its capacity C and temperature T. Nodes with neither, those of a grid of elements, are written as particles are.
 void write_vtk(const std::string& path, const std::string& title, const GridSnapshot& nodes);
 
 /// name.vtk.series: the files in time, which ParaView opens as one.
