@@ -51,7 +51,10 @@ template <class T, class U, int D> Eigen::Matrix<T, D, D> product(const Eigen::M
 }
 template <class T, class U, int D>
 Eigen::Matrix<T, D, D> product_transposed(const Eigen::Matrix<T, D, D>& A, const Eigen::Matrix<U, D, D>& B) {
-    return product(A, Eigen::Matrix<U, D, D>(B.transpose()));
+    Eigen::Matrix<U, D, D> B_T;
+    for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) B_T(i, j) = B(j, i);
+    return product(A, B_T);
 }
 }  // namespace detail
 
@@ -115,7 +118,7 @@ Eigen::Matrix<T, D, D> conserving_stress(const Point& p, const NeoHookean& law, 
 }
 }  // namespace detail
 
-/// Adds the particle's part of the residual to r. T is double, or a number that carries its derivatives. False if f is turned inside out.
+/// Adds the particle's part of the residual to r. False if f is turned inside out.
 template <class T, int D, int N, class Point>
 bool add_residual(const Point& p, const NeoHookean& law, const ElementWeights<D, N>& w, const ElementVector<T, D, N>& u,
                   const StepOf<D>& step, ElementVector<T, D, N>& r) {
@@ -146,18 +149,30 @@ bool add_residual(const Point& p, const NeoHookean& law, const ElementWeights<D,
 /// An element's tangent dr/du, row by row.
 template <int D, int N> using ElementMatrix = Eigen::Matrix<double, N * D, N * D, Eigen::RowMajor>;
 
-/// Adds the particle's part by automatic differentiation of add_residual, each number with its N D derivatives.
+/// Adds the particle's part by automatic differentiation: the stress carries its D^2 derivatives by f, the rest is linear in u.
 template <int D, int N, class Point>
 void add_ad_tangent(const Point& p, const NeoHookean& law, const ElementWeights<D, N>& w, const ElementVector<double, D, N>& u,
                     const StepOf<D>& step, ElementMatrix<D, N>& K) {
-    using Number = Eigen::AutoDiffScalar<Eigen::Matrix<double, N * D, 1>>;
-    ElementVector<Number, D, N> unknown, r;
-    for (int i = 0; i < N * D; ++i) {
-        unknown[i] = Number(u[i], N * D, i);
-        r[i] = Number(0.0);
-    }
-    add_residual<Number, D, N>(p, law, w, unknown, step, r);
-    for (int i = 0; i < N * D; ++i) K.row(i) += r[i].derivatives().transpose();
+    using Number = Eigen::AutoDiffScalar<Eigen::Matrix<double, D * D, 1>>;
+    const double part = step.conserving ? 1 : step.newmark.theta, inertia = p.m * step.newmark.inertia(step.dt);
+    Mat<D> at = identity<D>();
+    for (int k = 0; k < N; ++k) at += part * u.template segment<D>(k * D) * w.trial[static_cast<std::size_t>(k)].transpose();
+    Eigen::Matrix<Number, D, D> f, stress;
+    for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) f(i, j) = Number(at(i, j), D * D, i * D + j);
+    if (step.conserving) stress = detail::conserving_stress<Number, D>(p, law, f);
+    else stress = detail::stress_at<Number, D>(p, law, f);
+    for (int k = 0; k < N; ++k)
+        for (int d = 0; d < D; ++d) {
+            Mat<D> by_u;  // of the stress, by component d of node k
+            for (int i = 0; i < D; ++i)
+                for (int j = 0; j < D; ++j)
+                    by_u(i, j) = part * p.V0 * stress(i, j).derivatives().template segment<D>(d * D).dot(w.trial[std::size_t(k)]);
+            for (int i = 0; i < N; ++i) {
+                K.template block<D, 1>(i * D, k * D + d) += by_u * w.grad[static_cast<std::size_t>(i)];
+                K(i * D + d, k * D + d) += inertia * w.phi[static_cast<std::size_t>(i)] * w.phi[static_cast<std::size_t>(k)];
+            }
+        }
 }
 
 /// The same by hand. With l = du f^-1 = sum du_K g*_K^T, g = f^-T grad: d(tau g_I) = lambda (tr l) g_I + mu (l B + B l^T) g_I - tau l^T
