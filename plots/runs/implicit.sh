@@ -1,6 +1,6 @@
 # Implicit MPM: bar from 0.1 to 1000 h/c, flight through cells (the published form blows up, exit code 3), disk, cantilever, explicit beside it.
 for mode in 1 10; do for beta in 0.25 0.3; do for cfl in 0.1 1 10 100 1000; do
-    t_end=$(awk "BEGIN { print $cfl > 1 ? 50 * $cfl : 50 }")
+    t_end=$(awk "BEGIN { print ($cfl > 1 ? 50 * $cfl : 50) }")
     run implicit-bar-$mode-$beta-$cfl implicit_bar --mode $mode --beta $beta --cfl $cfl --t-end $t_end --records 10
 done; done; done
 fly() { name=$1; shift; run crossing-$name implicit_crossing --watch warn "$@" || [ $? -eq 3 ]; }
