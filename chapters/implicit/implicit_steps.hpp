@@ -77,7 +77,7 @@ bool ImplicitMpm<Element, Body, Scene>::residual(const std::vector<double>& u, s
     const std::size_t elements = active_.elements.size();
     std::vector<Vector> part(elements, Vector::Zero()), size = part, floor = part;
     std::vector<char> well(elements, 1);
-    in_ranges(settings_.threads, elements, [&](std::size_t a) {
+    in_ranges(settings_.threads, elements, [&](std::size_t a) __attribute__((noinline)) {  // too much to be inlined in its loop
         const Vector u_e = of_element(a, u);
         well[a] = each_particle(a, [&](std::size_t, const auto& p, const auto& w) {
             Vector one = Vector::Zero();
@@ -123,7 +123,7 @@ bool ImplicitMpm<Element, Body, Scene>::residual(const std::vector<double>& u, s
 template <class Element, class Body, class Scene> void ImplicitMpm<Element, Body, Scene>::assemble_tangent(const std::vector<double>& u) {
     counts_.assembly.start();
     std::vector<Matrix> K(active_.elements.size());
-    in_ranges(settings_.threads, K.size(), [&](std::size_t a) {
+    in_ranges(settings_.threads, K.size(), [&](std::size_t a) __attribute__((noinline)) {
         const Vector u_e = of_element(a, u);
         K[a] = soft_.empty() ? Matrix(Matrix::Zero()) : soft_[a];
         each_particle(a, [&](std::size_t, const auto& p, const auto& w) {
