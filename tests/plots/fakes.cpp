@@ -16,7 +16,7 @@ if [ "$1" = --describe ]; then
     echo 'dt,number,0,time,0,,,time step'
     echo 'quiet,flag,false,-,,,,say nothing'
     echo 'out,text,,-,,,,folder'
-    [ "$name" != strict ] || echo 'dry-run,flag,false,-,,,,run nothing'
+    case $name in strict | hangs) echo 'dry-run,flag,false,-,,,,run nothing' ;; esac
     exit 0
 fi
 cells=50 out=. dt=0.001 mode=1
