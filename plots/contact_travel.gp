@@ -3,7 +3,7 @@
 load 'style.gnuplot'
 set terminal pngcairo size 1180,960 font ',18'
 set output 'contact_travel.png'
-set title "Error of travel at t = 1, in % of the rigid body's: slope of 30 degrees, friction 0.3, h = 0.1\n(rows: normals, test of the gap)" offset 0,0.6
+set title "Error of travel at t = 1, in % of the rigid body's, for normals and tests of the gap:\na slope of 30 degrees, friction 0.3, h = 0.1" offset -6,0.6
 cases = 'sliding_block-aligned sliding_block-inclined rolling_disk-aligned rolling_disk-inclined'
 ways = 'printed volume density regression'
 gaps = 'velocity position extent'
