@@ -15,7 +15,7 @@ run impm-bar compare --cells 16,32,64,128 --fresh $(
     bar tlmpm_bar --shape cubic --transfer fmpm --order 4; bar impm_bar; bar impm_bar --gradient hat)
 run impm-disks compare --cells 20,40,80 --fresh $(
     disks two_disks; disks two_disks --shape cubic; disks two_disks --transfer apic; disks two_disks --transfer fmpm --order 4
-    disks impm_disks --watch warn)
+    disks impm_disks) || [ $? -eq 3 ]  # on coarse grids an instability is a row
 for scene in bar disks; do cp "$figures/data/impm-$scene/work_precision.png" "$figures/impm-${scene}_work_precision.png"; done
 run stability stability --tolerance 0.05 --contrast 1,1e2 --finest 256 -- contrast_bar --scheme usl \
     -- contrast_bar --scheme usf -- contrast_bar --scheme musl -- contrast_bar --scheme tlmpm -- contrast_bar --scheme tlmpm --transfer apic \
