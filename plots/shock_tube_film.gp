@@ -1,7 +1,7 @@
-# Sod's shock tube in motion: nodes of cpGIMP functions, 300 cells, beside the exact solution; shock_tube.gif.
+# Sod's shock tube in motion: nodes of cpGIMP functions, 300 cells, beside the exact solution.
 load 'style.gnuplot'
 set terminal gif animate delay 8 loop 0 size 1000,760 enhanced font 'DejaVuSans,14'
-set output 'shock_tube.gif'
+set output 'shock_tube_film.gif'
 fields = 'rho v p e'
 array labels[4] = ['density [mass/length]', 'velocity [length/time]', 'pressure [force]', 'energy [energy/mass]']
 array low[4] = [0, -0.1, 0, 1.5]
