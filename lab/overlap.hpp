@@ -52,28 +52,28 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Two bodies pass through each other where both fill a cell by more than 0.6: bodies in contact share a cell's room, so that their parts
-/// sum to one. Bodies are pointers to Matter. Meant for records, not for every step.
+/// Two bodies pass through each other where both fill a cell by more than 0.6 and together by more than 1.4: bodies in contact share a
+/// cell's room, so that their parts sum to one, but for what counting particles by their centres adds along an inclined face (a third with 3 x 3
+/// to a cell at 45 degrees). Bodies are pointers to Matter. Meant for records, not for every step.
 template <int D, class Bodies> Trouble check_overlap(const Bodies& bodies) {
-    constexpr double filled = 0.6;
+    constexpr double filled = 0.6, together = 1.4;
     const CellBoxes<D> boxes(bodies);
     if (!boxes.usable) return {};  // a particle far away or not a number: other checks say so
-    const double enough = filled * boxes.volume();
-    std::vector<double> volume(boxes.count());
-    std::vector<int> owner(boxes.count(), -1);
+    std::vector<double> volume(boxes.count()), most(boxes.count());
+    std::vector<int> owner(boxes.count(), -1), last(boxes.count(), -1);
     int number = 0, cells = 0;
     std::ostringstream s;
     for (const auto* body : bodies) {
         std::fill(volume.begin(), volume.end(), 0.0);
+        for (const auto& p : body->points) volume[boxes.of(p.x)] += p.V / boxes.volume();
         for (const auto& p : body->points) {
             const std::size_t cell = boxes.of(p.x);
-            if (volume[cell] > enough) continue;  // this body owns it already
-            volume[cell] += p.V;
-            if (!(volume[cell] > enough)) continue;
-            if (owner[cell] < 0)
-                owner[cell] = number;
-            else if (++cells == 1)
+            if (last[cell] == number) continue;
+            last[cell] = number;
+            if (!(volume[cell] > filled)) continue;
+            if (owner[cell] >= 0 && most[cell] + volume[cell] > together && ++cells == 1)
                 s << "bodies " << owner[cell] << " and " << number << " lie in each other beside x = " << p.x.transpose();
+            if (volume[cell] > most[cell]) most[cell] = volume[cell], owner[cell] = number;
         }
         ++number;
     }

@@ -46,6 +46,20 @@ TEST(Overlap, IsFoundOutsideTheGridToo) { EXPECT_TRUE(overlap({block(-7, 20, 4),
 TEST(Overlap, IsNotSeenWhereBodiesTouch) {
     for (int i = 0; i <= 20; ++i) EXPECT_FALSE(overlap({block(0.05 * i, 0, 4), block(0.05 * i + 2, 0.3, 4)})) << i;
 }
+// Particles are counted by their centres: along an inclined face two triangles of half a cell may hold six of nine particles each.
+TEST(Overlap, IsNotSeenAlongInclinedFaces) {
+    const double c = std::sqrt(0.5);
+    for (int ppc = 2; ppc <= 5; ++ppc)
+        for (int shift = 0; shift < 40; ++shift) {
+            std::vector<Block> halves{block(0, 0, 0), block(0, 0, 0)};
+            for (int j = -4 * ppc; j < 4 * ppc; ++j)
+                for (int i = -4 * ppc; i < 4 * ppc; ++i) {
+                    const double along = (i + 0.5 + 0.025 * shift) / ppc, above = (j + 0.5) / ppc;
+                    halves[j < 0].points.push_back({Vec<2>(c * (along - above), c * (along + above)), 1.0 / (ppc * ppc)});
+                }
+            EXPECT_FALSE(overlap(halves)) << ppc << " " << shift;
+        }
+}
 // A layer of one and a half cells has three particles of four of some cell in each body, wherever the cells' edges are.
 TEST(Overlap, IsSeenBeforeItIsTwoCellsDeep) {
     for (int i = 0; i <= 20; ++i) EXPECT_TRUE(overlap({block(0.05 * i, 0, 4), block(0.05 * i + 0.5, 0, 4)})) << i;
