@@ -40,7 +40,8 @@ std::string table_of(const std::vector<Finding>& found) {
     for (const double level : error_levels) text += "<th>seconds to " + number(100 * level, "%g") + " %</th>";
     text += "<th>trouble</th></tr></thead><tbody>\n";
     for (const Finding& f : found) {
-        text += "<tr><td>" + html((f.best ? "* ./" : "./") + f.command) + "</td>" + html_cell(number(f.error, "%.3g")) + html_cell(number(f.seconds, "%.3g"));
+        text += "<tr><td>" + html((f.best ? "* ./" : "./") + f.command) + "</td>" + html_cell(number(f.error, "%.3g")) +
+                html_cell(number(f.seconds, "%.3g"));
         for (const double seconds : f.reached) text += html_cell(number(seconds, "%.3g"));
         text += html_cell(f.trouble, "bad") + "</tr>\n";
     }
@@ -94,18 +95,22 @@ std::string findings_html(const std::string& figures) {
             if (entry.path().filename().string().starts_with("atlas-")) folders.push_back(entry.path());
     if (folders.empty()) return "";
     std::sort(folders.begin(), folders.end());
-    std::string text = "<h2 id=\"findings\">What to use when</h2>\n<p>Every case that has an exact or a reference solution, with the variants that can run it, at several "
-                       "resolutions: the smallest error that each reached, and the seconds in which it was as good as 1 %, 0.1 % and 0.01 %.</p>\n";
+    std::string text =
+        "<h2 id=\"findings\">What to use when</h2>\n<p>Every case that has an exact or a reference solution, with the variants that can "
+        "run it, at several "
+        "resolutions: the smallest error that each reached, and the seconds in which it was as good as 1 %, 0.1 % and 0.01 %.</p>\n";
     for (const fs::path& folder : folders) {
         std::istringstream title(read_file(folder / "title"));
         std::string name, error;
         std::getline(title, name);
         std::getline(title, error);
         const std::string below = fs::relative(folder, figures).string() + "/";
-        text += "<figure id=\"" + html(folder.filename().string()) + "\">\n<figcaption><b>" + html(name) + "</b>, error " + html(error) + ": <a href=\"" +
-                html(below) + "compare.csv\">all rows</a></figcaption>\n";
+        text += "<figure id=\"" + html(folder.filename().string()) + "\">\n<figcaption><b>" + html(name) + "</b>, error " + html(error) +
+                ": <a href=\"" + html(below) + "compare.csv\">all rows</a></figcaption>\n";
         for (const char* picture : {"work_precision.png", "convergence.png"})
-            if (fs::exists(folder / picture)) text += "<a href=\"" + html(below + picture) + "\"><img class=\"half\" src=\"" + html(below + picture) + "\" alt=\"" + picture + "\"></a>\n";
+            if (fs::exists(folder / picture))
+                text += "<a href=\"" + html(below + picture) + "\"><img class=\"half\" src=\"" + html(below + picture) + "\" alt=\"" +
+                        picture + "\"></a>\n";
         text += table_of(findings(read_csv(folder / "compare.csv"), error)) + "</figure>\n";
     }
     return text;

@@ -12,11 +12,11 @@ inline constexpr std::array<double, 3> error_levels{1e-2, 1e-3, 1e-4};
 
 /// A variant of a comparison by one error. Only runs that ended well count.
 struct Finding {
-    std::string command;                // program and options, without the resolution
-    double error = 0, seconds = 0;      // the smallest error that it reached, and in what time
-    std::array<double, 3> reached{};    // seconds to be as good as error_levels[i]; nan: never
-    bool best = false;                  // one of its runs is beaten by nobody's: none is as good and as fast
-    std::string trouble;                // the verdict of a run that did not end well, if there is one
+    std::string command;              // program and options, without the resolution
+    double error = 0, seconds = 0;    // the smallest error that it reached, and in what time
+    std::array<double, 3> reached{};  // seconds to be as good as error_levels[i]; nan: never
+    bool best = false;                // one of its runs is beaten by nobody's: none is as good and as fast
+    std::string trouble;              // the verdict of a run that did not end well, if there is one
 };
 
 /// The variants of stacked summary rows (compare.csv) by the error of this name ("": the first that is named), best first.

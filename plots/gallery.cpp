@@ -1,11 +1,12 @@
 /// gallery: the page of all figures, figures/index.html.
 ///   ./gallery --plots plots --figures figures
+#include "plots/gallery.hpp"
+
 #include <cstdio>
 #include <string>
 
 #include "lab/options.hpp"
 #include "lab/program.hpp"
-#include "plots/gallery.hpp"
 
 int main(int argc, char** argv) {
     using namespace mpm;

@@ -25,7 +25,7 @@ std::vector<std::string> recipe_runs(const std::string& text);
 
 /// One line of a figure's table: a run, or one variant of a comparison.
 struct GalleryRun {
-    std::string command, csv;  // csv: relative to the folder of the figures
+    std::string command, csv;                                       // csv: relative to the folder of the figures
     std::string cells, error_name, error, order, seconds, verdict;  // of the finest resolution; empty where a run has no summary
 };
 

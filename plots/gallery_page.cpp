@@ -25,7 +25,12 @@ table { border-collapse: collapse; font: 13px/1.35 monospace; width: 100%; }
 th, td { border-bottom: 1px solid #ccc; padding: .1em .5em; text-align: left; vertical-align: top; overflow-wrap: anywhere; }
 .number { text-align: right; white-space: nowrap; }
 .bad { color: #b03000; }
-@media print { body { font-size: 11pt; max-width: none; margin: 0; } nav { display: none; } h2 { break-before: page; } a { color: inherit; } }
+@media print {
+  body { font-size: 11pt; max-width: none; margin: 0; }
+  nav { display: none; }
+  h2 { break-before: page; }
+  a { color: inherit; }
+}
 )";
 
 std::string trimmed(const std::string& text) {
@@ -56,11 +61,12 @@ std::string script_of(const fs::path& figures, const GalleryFigure& figure) {
 std::string figure_html(const fs::path& figures, const GalleryFigure& figure) {
     std::string picture = figure.name + ".png";
     if (!fs::exists(figures / picture)) picture = figure.name + ".gif";
-    if (!fs::exists(figures / picture)) throw FileTrouble((figures / figure.name).string() + ": the gallery lists it, but it was not drawn");
+    if (!fs::exists(figures / picture))
+        throw FileTrouble((figures / figure.name).string() + ": the gallery lists it, but it was not drawn");
     const std::vector<GalleryRun> runs = runs_of(figures, figure);
     const bool errors = std::any_of(runs.begin(), runs.end(), [](const GalleryRun& run) { return !run.error.empty(); });
-    std::string text = "<figure id=\"" + html(figure.name) + "\">\n<a href=\"" + html(picture) + "\"><img src=\"" + html(picture) + "\" alt=\"" +
-                       html(figure.name) + "\"></a>\n<figcaption>" + html(figure.caption) + " <a href=\"" +
+    std::string text = "<figure id=\"" + html(figure.name) + "\">\n<a href=\"" + html(picture) + "\"><img src=\"" + html(picture) +
+                       "\" alt=\"" + html(figure.name) + "\"></a>\n<figcaption>" + html(figure.caption) + " <a href=\"" +
                        html(script_of(figures, figure)) + "\">gnuplot script</a></figcaption>\n";
     if (runs.empty()) return text + "</figure>\n";
     text += "<table><thead><tr><th>command, with a link to its data</th><th>cells</th><th>error of the finest</th><th>";
@@ -120,8 +126,10 @@ std::vector<GalleryChapter> read_gallery(const std::string& path) {
 void write_gallery(const std::string& plots, const std::string& figures) {
     std::vector<GalleryChapter> chapters = read_gallery(plots + "/gallery.txt");
     check_all_listed(plots, chapters);
-    std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>MPM Lab: the gallery</title>\n<style>";
-    page += std::string(style) + "</style>\n</head>\n<body>\n<h1>MPM Lab: the gallery</h1>\n<p>Every figure, the commands that made its data, and the error and "
+    std::string page =
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>MPM Lab: the gallery</title>\n<style>";
+    page += std::string(style) +
+            "</style>\n</head>\n<body>\n<h1>MPM Lab: the gallery</h1>\n<p>Every figure, the commands that made its data, and the error and "
             "run time of the finest resolution. A script draws its figure again: <code>gnuplot name.gp</code> in this folder.</p>\n<nav>\n";
     for (std::size_t c = 0; c < chapters.size(); ++c)
         page += "<a href=\"#chapter-" + std::to_string(c + 1) + "\">" + html(chapters[c].title) + "</a>\n";

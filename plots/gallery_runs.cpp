@@ -27,11 +27,19 @@ std::vector<GalleryRun> finest(const CsvTable& table, const std::string& csv) {
     std::vector<GalleryRun> found;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         if (table.text(row, "error_name") != table.text(0, "error_name")) continue;
-        GalleryRun run{command_of(table, row), csv, table.text(row, "cells"), table.text(row, "error_name"), short_number(table, row, "error", "%.3g"),
-                       short_number(table, row, "order", "%.2f"), short_number(table, row, "wall_s", "%.3g"), table.text(row, "verdict")};
+        GalleryRun run{command_of(table, row),
+                       csv,
+                       table.text(row, "cells"),
+                       table.text(row, "error_name"),
+                       short_number(table, row, "error", "%.3g"),
+                       short_number(table, row, "order", "%.2f"),
+                       short_number(table, row, "wall_s", "%.3g"),
+                       table.text(row, "verdict")};
         const auto same = std::find_if(found.begin(), found.end(), [&](const GalleryRun& other) { return other.command == run.command; });
-        if (same == found.end()) found.push_back(std::move(run));
-        else *same = std::move(run);
+        if (same == found.end())
+            found.push_back(std::move(run));
+        else
+            *same = std::move(run);
     }
     return found;
 }

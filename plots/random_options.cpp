@@ -40,17 +40,22 @@ std::string random_value(const DescribedOption& o, Random& random) {
 }
 
 bool is_left_out(const std::string& name) {
-    static const Words names{"out", "label", "config", "plot", "quiet", "dry-run", "help", "version", "describe", "records", "frames", "repeat", "threads", "format"};
+    static const Words names{"out",     "label",    "config",  "plot",   "quiet",  "dry-run", "help",
+                             "version", "describe", "records", "frames", "repeat", "threads", "format"};
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 Words one_wrong(const DescribedOption& o, Random& random) {
     const std::string name = "--" + o.name;
     switch (place(random, 4)) {
-        case 0: return {name + "x", "1"};
-        case 1: return {"stray"};
-        case 2: return o.type == "flag" ? Words{name + "=perhaps"} : Words{name};
-        default: break;
+        case 0:
+            return {name + "x", "1"};
+        case 1:
+            return {"stray"};
+        case 2:
+            return o.type == "flag" ? Words{name + "=perhaps"} : Words{name};
+        default:
+            break;
     }
     const bool whole = o.type == "integer" || o.type == "integers";
     if (o.type == "choice") return {name, "no-such-choice"};
@@ -58,8 +63,10 @@ Words one_wrong(const DescribedOption& o, Random& random) {
     if (o.type == "text") return {"--no-" + o.name};
     Words values{"nan", "inf", "abc", "1e", "", "1;2", "0x10"};
     if (whole) values.push_back("1.5");
-    if (std::isfinite(o.low)) values.push_back(whole ? std::to_string(static_cast<long>(o.low) - 1) : number_text(o.low - 1 - std::abs(o.low)));
-    if (std::isfinite(o.high) && o.high < 1e15) values.push_back(whole ? std::to_string(static_cast<long>(o.high) + 1) : number_text(2 * o.high + 1));
+    if (std::isfinite(o.low))
+        values.push_back(whole ? std::to_string(static_cast<long>(o.low) - 1) : number_text(o.low - 1 - std::abs(o.low)));
+    if (std::isfinite(o.high) && o.high < 1e15)
+        values.push_back(whole ? std::to_string(static_cast<long>(o.high) + 1) : number_text(2 * o.high + 1));
     return {name, values[place(random, values.size())]};
 }
 
@@ -68,8 +75,8 @@ Words one_wrong(const DescribedOption& o, Random& random) {
 std::vector<DescribedOption> described_options(const CsvTable& described) {
     std::vector<DescribedOption> options;
     for (std::size_t i = 0; i < described.rows.size(); ++i) {
-        DescribedOption o{described.text(i, "name"), described.text(i, "type"), described.text(i, "default"), described.number(i, "low"),
-                          described.number(i, "high"), {}};
+        DescribedOption o{described.text(i, "name"),  described.text(i, "type"),   described.text(i, "default"),
+                          described.number(i, "low"), described.number(i, "high"), {}};
         if (std::isnan(o.low)) o.low = -infinity;
         if (std::isnan(o.high)) o.high = infinity;
         std::istringstream choices(described.text(i, "choices"));
@@ -83,8 +90,10 @@ Words random_settings(const std::vector<DescribedOption>& options, Random& rando
     Words words;
     for (const DescribedOption& o : options) {
         if (is_left_out(o.name) || o.type == "text" || !chance(random, 0.33)) continue;
-        if (o.type == "flag") words.push_back("--" + o.name);
-        else words.push_back("--" + o.name + "=" + random_value(o, random));
+        if (o.type == "flag")
+            words.push_back("--" + o.name);
+        else
+            words.push_back("--" + o.name + "=" + random_value(o, random));
     }
     return words;
 }

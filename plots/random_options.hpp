@@ -19,8 +19,8 @@ struct DescribedOption {
 };
 std::vector<DescribedOption> described_options(const CsvTable& described);
 
-/// Words for about a third of the options, each value within the range that the program names. They may still not go together, which is the program's to say.
-/// Options that say where to write and how much are not among them.
+/// Words for about a third of the options, each value within the range that the program names. They may still not go together, which is the
+/// program's to say. Options that say where to write and how much are not among them.
 Words random_settings(const std::vector<DescribedOption>& options, Random& random);
 
 /// The same with one thing wrong: an unknown name, a value out of its range or of another type, a missing value, a stray word.

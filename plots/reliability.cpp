@@ -49,8 +49,12 @@ struct Tried {
 class Trial {
 public:
     Trial(const Settings& s, Programs& programs, const std::string& name)
-        : s_(s), path_(programs.path(name)), folder_(s.out + "/" + name), options_(described_options(programs.describe(name))),
-          dry_(programs.accepts(name, "dry-run")), random_(static_cast<std::uint64_t>(s.seed) + std::hash<std::string>()(name)) {
+        : s_(s),
+          path_(programs.path(name)),
+          folder_(s.out + "/" + name),
+          options_(described_options(programs.describe(name))),
+          dry_(programs.accepts(name, "dry-run")),
+          random_(static_cast<std::uint64_t>(s.seed) + std::hash<std::string>()(name)) {
         make_folder(folder_);
     }
 
@@ -125,7 +129,8 @@ std::string unreadable(const std::string& folder) {
     return "";
 }
 
-/// What is wrong with a run of right settings: it ends with 0 or 3, says 3 if and only if a row is not ok, and gives a number for each error that it vouches for.
+/// What is wrong with a run of right settings: it ends with 0 or 3, says 3 if and only if a row is not ok, and gives a number for each
+/// error that it vouches for.
 std::string judge(const Tried& t) {
     if (!t.end.trouble().empty()) return t.end.trouble();
     if (const std::string trouble = unreadable(t.files); !trouble.empty()) return trouble;
@@ -146,14 +151,16 @@ std::string judge(const Tried& t) {
 }
 
 std::string judge_wrong(const Tried& t) {
-    if (t.end.signal || t.end.code != 2) return "ended with " + (t.end.signal ? t.end.trouble() : "exit " + std::to_string(t.end.code)) + ", not with exit 2";
+    if (t.end.signal || t.end.code != 2)
+        return "ended with " + (t.end.signal ? t.end.trouble() : "exit " + std::to_string(t.end.code)) + ", not with exit 2";
     if (!Trial::one_line_of(t.err)) return "not one line on stderr";
     return fs::exists(t.files) ? "wrote files" : "";
 }
 
 class Sweep {
 public:
-    explicit Sweep(const Settings& s) : s_(s), csv_(s.out + "/reliability.csv", {"program", "kind", "words", "exit", "seconds", "result"}) {}
+    explicit Sweep(const Settings& s)
+        : s_(s), csv_(s.out + "/reliability.csv", {"program", "kind", "words", "exit", "seconds", "result"}) {}
 
     void program(Programs& programs, const std::string& name) {
         Trial trial(s_, programs, name);
@@ -180,7 +187,8 @@ public:
     int failures() const { return failures_; }
 
 private:
-    void tell(const Trial& trial, const std::string& name, const char* kind, const Words& words, const Tried& t, const std::string& failure) {
+    void tell(const Trial& trial, const std::string& name, const char* kind, const Words& words, const Tried& t,
+              const std::string& failure) {
         if (t.end.stopped) return;
         csv_.row({name, kind, joined(words, " "), std::to_string(t.end.code), number_text(t.end.wall_s), failure.empty() ? "ok" : failure});
         if (failure.empty()) return;

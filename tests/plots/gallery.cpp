@@ -26,10 +26,12 @@ struct Drawn {
         write("figures/wave.png", "");
         write("figures/mesh.png", "");
         write("figures/data/wave-1/command", "bar --cells 8,16\n");
-        write("figures/data/wave-1/summary.csv", columns + "bar,b,usl,hat,flip,cells=8,8,e1,1e-2,nan,.1,ok\nbar,b,usl,hat,flip,cells=16,16,e1,2.5e-3,2,.2,ok\n" +
-                                                     "bar,b,usl,hat,flip,cells=16,16,e2,7,2,.2,ok\n");
+        write("figures/data/wave-1/summary.csv",
+              columns + "bar,b,usl,hat,flip,cells=8,8,e1,1e-2,nan,.1,ok\nbar,b,usl,hat,flip,cells=16,16,e1,2.5e-3,2,.2,ok\n" +
+                  "bar,b,usl,hat,flip,cells=16,16,e2,7,2,.2,ok\n");
         write("figures/data/wave-2/command", "compare -- bar -- bar --mode 2\n");
-        write("figures/data/wave-2/compare.csv", columns + "bar,b,usl,hat,flip,,8,e1,1e-2,nan,.1,ok\nbar,b,usl,hat,flip,mode=2;cells=8,8,e1,nan,nan,.1,unstable:energy\n");
+        write("figures/data/wave-2/compare.csv",
+              columns + "bar,b,usl,hat,flip,,8,e1,1e-2,nan,.1,ok\nbar,b,usl,hat,flip,mode=2;cells=8,8,e1,nan,nan,.1,unstable:energy\n");
         write("figures/data/still/command", "bar --dt 0\n");
         write("figures/data/still/history.csv", "t\n0\n");
         write("figures/data/atlas-bar/title", "The bar\ne2\n");
@@ -92,9 +94,10 @@ TEST(Gallery, TellsTheFinestOfEachRun) {
 }
 
 TEST(Findings, TellWhoIsBeatenByNobodyAndWhenALevelIsReached) {
-    const std::string rows = "fast,b,usl,hat,flip,cells=8,8,e2,9e-3,nan,.1,ok\nfast,b,usl,hat,flip,cells=16,16,e2,2e-3,2,.2,ok\n"
-                             "good,b,usl,hat,flip,cells=8,8,e2,5e-5,nan,1,ok\nslow,b,usl,hat,flip,cells=8,8,e2,6e-5,nan,2,ok\n"
-                             "slow,b,usl,hat,flip,cells=16,16,e2,1e-9,nan,.01,unstable:energy\n";
+    const std::string rows =
+        "fast,b,usl,hat,flip,cells=8,8,e2,9e-3,nan,.1,ok\nfast,b,usl,hat,flip,cells=16,16,e2,2e-3,2,.2,ok\n"
+        "good,b,usl,hat,flip,cells=8,8,e2,5e-5,nan,1,ok\nslow,b,usl,hat,flip,cells=8,8,e2,6e-5,nan,2,ok\n"
+        "slow,b,usl,hat,flip,cells=16,16,e2,1e-9,nan,.01,unstable:energy\n";
     const std::vector<Finding> found = findings(parse_csv(columns + rows, "test"), "e2");
     ASSERT_EQ(found.size(), 3u);
     EXPECT_EQ(found[0].command, "good");

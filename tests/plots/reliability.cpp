@@ -10,9 +10,10 @@
 namespace mpm::test {
 namespace {
 
-const std::vector<DescribedOption> described = described_options(
-    parse_csv("name,type,default,low,high,choices\nE,number,100,0,,\nnu,number,0.3,-1,0.5,\ncells,integers,50,3,1000,\nshape,choice,hat,,,hat|cubic\nquiet,flag,false,,,\n",
-              "test"));
+const std::vector<DescribedOption> described =
+    described_options(parse_csv("name,type,default,low,high,choices\nE,number,100,0,,\nnu,number,0.3,-1,0.5,\ncells,integers,50,3,1000,"
+                                "\nshape,choice,hat,,,hat|cubic\nquiet,flag,false,,,\n",
+                                "test"));
 
 bool fits(const std::string& name, const std::string& value) {
     const double x = std::atof(value.c_str());
@@ -51,7 +52,9 @@ TEST(Reliability, NoticesThatWrongSettingsAreAccepted) {
 }
 TEST(Reliability, NoticesACrash) { EXPECT_EQ(results(Fakes(), "crashes", "right"), Words(3, "failed:signal 11")); }
 TEST(Reliability, NoticesARunWithoutEnd) { EXPECT_EQ(results(Fakes(), "hangs", "right"), Words(3, "failed:timeout")); }
-TEST(Reliability, NoticesASummaryOfAnotherKind) { EXPECT_EQ(results(Fakes(), "strange", "right"), Words(3, "summary.csv has no column verdict")); }
+TEST(Reliability, NoticesASummaryOfAnotherKind) {
+    EXPECT_EQ(results(Fakes(), "strange", "right"), Words(3, "summary.csv has no column verdict"));
+}
 TEST(Reliability, EndsWithThreeAfterAFailure) {
     const Fakes fakes;
     EXPECT_EQ(fakes.run("reliability", {"--programs", "bin", "--runs", "1", "--only", "crashes"}).code, 3);
