@@ -20,7 +20,7 @@ mutants: setup
 figures: configure
 	cmake --build build -j$(JOBS) --target programs
 	./plots/figures.sh build figures
-# Every case with a known solution, all its variants, error against run time: an hour, or a few minutes. The gallery tells the findings.
+# Every case with a known solution, all its variants, error against run time; quick: on coarser grids. The gallery tells the findings.
 atlas: figures
 	./plots/atlas.sh build figures
 atlas-quick: figures
@@ -31,7 +31,7 @@ reliability: setup
 	cmake --preset debug
 	cmake --build build-debug -j$(JOBS) --target programs reliability
 	./build-debug/reliability --runs $(RUNS) --out build-debug/reliability-runs
-# Without the resolutions that tell accuracy alone: they would take half an hour here, and shorter runs visit the same code.
+# Without the resolutions that tell accuracy alone: they take long here, and shorter runs visit the same code.
 accuracy = ConvergesWithOrderTwo|ApproachesLame|SwingsAsFar|CpdiVortexConforming|ReboundAlike|DepthSettles|ReachesItsFloor
 sanitize: setup
 	cmake --preset debug
