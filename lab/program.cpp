@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "lab/program_figures.hpp"
+#include "lab/study.hpp"
 
 #ifndef MPM_LAB_VERSION
 #define MPM_LAB_VERSION "0.1"
@@ -271,9 +272,7 @@ struct Report {
             if (resolution(cells, summary)) return 130;
         if (!c.quiet) {
             if (c.cells.size() > 1) std::fputs(error_table(headline).c_str(), stdout);
-            std::printf("written:");
-            for (const std::string& f : files) std::printf(" %s", f.c_str());
-            std::printf("\n");
+            say_written(files);
         }
         return unstable ? 3 : 0;
     }

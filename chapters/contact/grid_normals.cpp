@@ -9,6 +9,7 @@
 #include "lab/figure.hpp"
 #include "lab/program.hpp"
 #include "lab/record.hpp"
+#include "lab/study.hpp"
 
 namespace {
 
@@ -53,8 +54,7 @@ std::vector<std::string> write_files(const std::string& folder, const NormalsSet
 int run(int argc, char** argv) {
     Options options(program, purpose);
     NormalsSettings s;
-    std::string out, label, plot = "none";
-    bool quiet = false;
+    Study study;
     options.integer("cells", s.cells, "cells", between(4, 1000), "cells over the disk's diameter");
     options.integer("ppc", s.ppc, "-", between(1, 20), "particles per cell and direction");
     options.number("radius", s.radius, "length", above(0), "radius of the disk");
@@ -63,21 +63,14 @@ int run(int argc, char** argv) {
     options.number("density-ratio", s.ratio, "-", above(0), "density of the disk over that around it");
     options.choice("placing", s.placing, {"cells", "rings"}, "particles of the disk: those of cells, or in rings about its centre");
     options.choice("beside", s.beside, {"hole", "slab"}, "the other body: all around the disk, or a slab that it touches");
-    options.text("out", out, "folder of the run; empty: out/<program>/<label>");
-    options.text("label", label, "name of the run; empty: made of the options that differ");
-    options.choice("plot", plot, {"none", "png", "svg", "pdf", "tikz"}, "picture to draw");
-    options.flag("quiet", quiet, "say nothing but errors");
-    for (const char* name : {"out", "label", "plot", "quiet"}) options.unlabelled(name);
+    study.declare(options);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
-    const std::string folder = run_folder(program, options, out, label);
+    const std::string folder = run_folder(program, options, study.out, study.label);
     make_folder(folder);
-    std::vector<std::string> files = write_files(folder, s, options, quiet);
-    add_picture(folder, program, plot, files);
-    if (quiet) return 0;
-    std::printf("written:");
-    for (const std::string& file : files) std::printf(" %s", file.c_str());
-    std::printf("\n");
+    std::vector<std::string> files = write_files(folder, s, options, study.quiet);
+    add_picture(folder, program, study.plot, files);
+    if (!study.quiet) say_written(files);
     return 0;
 }
 

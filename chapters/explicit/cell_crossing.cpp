@@ -56,13 +56,10 @@ void declare(Options& o, Settings& set) {
     o.number("cfl", set.cfl, "-", above(0), "time step as a fraction of h/(c + |v|)");
     o.number("dt", set.dt, "time", at_least(0), "time step; 0: from --cfl");
     o.contradict("dt", "cfl");
-    o.text("out", set.out, "folder of the run; empty: out/<program>/<label>");
-    o.text("label", set.label, "name of the run; empty: made of the options that differ");
     o.integer("records", set.records, "rows", between(1, 100000000), "rows of the histories");
-    o.choice("plot", set.plot, {"none", "png", "svg", "pdf", "tikz"}, "picture to draw");
     o.choice("watch", set.watch, {"stop", "warn"}, "stop when unstable, or go on and say so at the end");
-    o.flag("quiet", set.quiet, "say nothing but errors");
-    for (const char* name : {"out", "label", "plot", "quiet", "records"}) o.unlabelled(name);
+    set.declare(o);
+    o.unlabelled("records");
 }
 
 void report(const std::vector<Run>& runs, const std::vector<std::string>& files) {
@@ -80,9 +77,7 @@ void report(const std::vector<Run>& runs, const std::vector<std::string>& files)
         if (run.result.trouble) std::printf("  UNSTABLE at t = %.6g: %s\n", run.result.t_fail, run.result.trouble.reason.c_str());
         if (run.result.interrupted) std::printf("  INTERRUPTED at t = %.6g; the last state is written\n", run.result.t);
     }
-    std::printf("written:");
-    for (const std::string& file : files) std::printf(" %s", file.c_str());
-    std::printf("\n");
+    say_written(files);
 }
 
 int run_all(int argc, char** argv) {

@@ -9,15 +9,15 @@
 #include "chapters/scenes/two_bodies.hpp"
 #include "lab/csv_read.hpp"
 #include "lab/program.hpp"
+#include "lab/study.hpp"
 
 namespace mpm::crossing {
 
-struct Settings {
+struct Settings : Study {
     TwoBodies scene;
     int ppc = 1, records = 4000;
     double cfl = 0.015, dt = 0;
-    std::string shape = "all", out, label, plot = "none", watch = "stop";
-    bool quiet = false;
+    std::string shape = "all", watch = "stop";
 };
 
 /// One weighting function's run.

@@ -68,11 +68,7 @@ void declare(Options& o, Settings& set) {
     o.number("width", set.width, "length", above(0), "of the image (image)");
     o.integer("pixels", set.pixels, "-", between(2, 5000), "of the composite, to each side (image)");
     o.number("rho", set.rho, "mass/length^2", above(0), "density");
-    o.text("out", set.out, "folder of the run; empty: out/<program>/<label>");
-    o.text("label", set.label, "name of the run; empty: made of the options that differ");
-    o.choice("plot", set.plot, {"none", "png", "svg", "pdf", "tikz"}, "picture to draw");
-    o.flag("quiet", set.quiet, "say nothing but errors");
-    for (const char* name : {"out", "label", "plot", "quiet"}) o.unlabelled(name);
+    set.declare(o);
 }
 
 /// Options that another case has, or another choice within this one, are refused by name.
@@ -124,9 +120,7 @@ void report(const Filled& filled) {
         std::printf("%-12s %6s %10zu  %12.6g  %14.6g  %10.2e  %8.1e  %12.2e\n", row.what.c_str(),
                     row.cells > 0 ? std::to_string(row.cells).c_str() : "-", row.particles, row.mass, row.exact, row.mass - row.exact,
                     std::abs(row.mass / row.exact - 1), row.bound);
-    std::printf("written:");
-    for (const std::string& file : filled.files) std::printf(" %s", file.c_str());
-    std::printf("\n");
+    say_written(filled.files);
 }
 
 int run(int argc, char** argv) {

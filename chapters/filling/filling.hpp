@@ -9,16 +9,15 @@
 #include "lab/math.hpp"
 #include "lab/options.hpp"
 #include "lab/polygon.hpp"
+#include "lab/study.hpp"
 
 namespace mpm::filling {
 
-struct Settings {
+struct Settings : Study {
     std::string way = "cells", region = "disks", weight = "points", polygon, image, levels, background = "none";
     std::vector<int> cells{20};
     int ppc = 2, samples = 8, corners = 60, pixels = 120, seeds = 300, iterations = 50, start = 1;
     double rho = 1, size = 0.1, angle = 20, width = 1, tolerance = 255;
-    std::string out, label, plot = "none";
-    bool quiet = false;
 };
 
 /// All that this program asks of a particle.

@@ -9,6 +9,7 @@
 #include "lab/figure.hpp"
 #include "lab/program.hpp"
 #include "lab/record.hpp"
+#include "lab/study.hpp"
 
 using namespace mpm;
 
@@ -18,13 +19,11 @@ constexpr const char* program = "impm_noise";
 constexpr const char* purpose = "growth of noise on the particles of the improved MPM";
 const std::vector<std::string> gradients{"hat", "linear"};
 
-struct Settings {
+struct Settings : Study {
     std::vector<int> cells{64, 128, 256};
     Segment<false> scene;
     int ppc = 2;
     double support = 1.1, amplitude = 1e-10;
-    std::string out, label, plot = "none";
-    bool quiet = false;
 };
 
 struct Row {
@@ -46,11 +45,7 @@ void declare(Options& o, Settings& set) {
     o.number("support", set.support, "cells", between(0.6, 10), "radius of the particles that a fit sees");
     o.number("amplitude", set.amplitude, "-", above(0), "of the noise, in parts of the largest velocity");
     o.number("G", set.scene.G, "length", above(0), "largest displacement; the segment has length 1");
-    o.text("out", set.out, "folder of the run; empty: out/<program>/<label>");
-    o.text("label", set.label, "name of the run; empty: made of the options that differ");
-    o.choice("plot", set.plot, {"none", "png", "svg", "pdf", "tikz"}, "picture to draw");
-    o.flag("quiet", set.quiet, "say nothing but errors");
-    for (const char* name : {"out", "label", "plot", "quiet"}) o.unlabelled(name);
+    set.declare(o);
 }
 
 std::vector<std::string> write_files(const std::string& folder, const std::vector<Row>& rows, const Settings& set,
@@ -82,9 +77,7 @@ void report(const std::vector<Row>& rows, const std::vector<std::string>& files)
     for (const Row& row : rows)
         std::printf("%7d  %9.1f      %12.3e %12.3e  %12.3e %12.3e\n", row.cells, row.of[1].crossings, row.of[0].largest, row.of[0].last,
                     row.of[1].largest, row.of[1].last);
-    std::printf("written:");
-    for (const std::string& file : files) std::printf(" %s", file.c_str());
-    std::printf("\n");
+    say_written(files);
 }
 
 int run(int argc, char** argv) {

@@ -12,6 +12,7 @@
 #include "lab/norms.hpp"
 #include "lab/program.hpp"
 #include "lab/record.hpp"
+#include "lab/study.hpp"
 
 using namespace mpm;
 
@@ -21,12 +22,11 @@ constexpr const char* program = "mls_approximation";
 constexpr const char* purpose = "a function at random points, brought to nodes by moving least squares";
 const std::vector<std::string> bases{"shepard", "linear", "quadratic"};
 
-struct Settings {
-    std::string function = "linear", weight = "cubic", out, label, plot = "none";
+struct Settings : Study {
+    std::string function = "linear", weight = "cubic";
     std::vector<int> cells{10};
     int points = 15, ppc = 2, seed = 4;
     double support = 2;
-    bool quiet = false;
     double u(double x) const { return function == "linear" ? 1 + x : std::sin(std::numbers::pi * x); }
 };
 
@@ -89,11 +89,7 @@ void declare(Options& o, Settings& set) {
     o.number("support", set.support, "cells", between(0.1, 1000), "radius of the weight's support");
     o.choice("weight", set.weight, {"cubic", "quartic"}, "spline that weighs the points (D.6, D.7)");
     o.integer("seed", set.seed, "-", between(0, 1000000000), "of the random numbers");
-    o.text("out", set.out, "folder of the run; empty: out/<program>/<label>");
-    o.text("label", set.label, "name of the run; empty: made of the options that differ");
-    o.choice("plot", set.plot, {"none", "png", "svg", "pdf", "tikz"}, "picture to draw");
-    o.flag("quiet", set.quiet, "say nothing but errors");
-    for (const char* name : {"out", "label", "plot", "quiet"}) o.unlabelled(name);
+    set.declare(o);
 }
 
 /// Order against the coarser grid before.
@@ -138,9 +134,7 @@ void report(const std::vector<Approximation>& all, const std::vector<std::string
             std::printf("%7d %7zu  %-10s %10.3e  %6.2f     %10.3e  %ld, %ld of %ld\n", all[k].cells, all[k].points.size(),
                         bases[b].c_str(), all[k].l2[b], order(all, k, b), all[k].largest[b], all[k].counts[b].lower, all[k].counts[b].none,
                         all[k].counts[b].fits);
-    std::printf("written:");
-    for (const std::string& file : files) std::printf(" %s", file.c_str());
-    std::printf("\n");
+    say_written(files);
 }
 
 int run(int argc, char** argv) {

@@ -64,11 +64,7 @@ void declare(Options& o, Settings& set) {
     o.integer("ppc", set.ppc, "-", between(1, 100), "particles per cell");
     o.number("offset", set.offset, "cells", between(-0.5, 0.5), "shift of all particles within their cells");
     o.number("jitter", set.jitter, "-", between(0, 1), "random shifts of the particles, as part of their spacing");
-    o.text("out", set.out, "folder of the run; empty: out/<program>/<label>");
-    o.text("label", set.label, "name of the run; empty: made of the options that differ");
-    o.choice("plot", set.plot, {"none", "png", "svg", "pdf", "tikz"}, "picture to draw");
-    o.flag("quiet", set.quiet, "say nothing but errors");
-    for (const char* name : {"out", "label", "plot", "quiet"}) o.unlabelled(name);
+    set.declare(o);
 }
 
 /// The rows of `all` that belong to one shape stand together.
@@ -129,9 +125,7 @@ void report(const std::vector<Projected>& all, const Settings& set, const std::v
     for (const Projected& p : all)
         std::printf("%-10s %-10s  %11.2e  %13.2e  %11.2e  %13.2e  %s\n", p.shape.c_str(), p.transfer.c_str(), p.nodes.middle, p.nodes.ends,
                     p.particles.middle, p.particles.ends, p.verdict == "ok" ? "" : p.verdict.c_str());
-    std::printf("written:");
-    for (const std::string& file : files) std::printf(" %s", file.c_str());
-    std::printf("\n");
+    say_written(files);
 }
 
 int run(int argc, char** argv) {

@@ -16,14 +16,14 @@
 #include "lab/body.hpp"
 #include "lab/fill.hpp"
 #include "lab/options.hpp"
+#include "lab/study.hpp"
 
 namespace mpm::projection {
 
-struct Settings {
+struct Settings : Study {
     double length = 6, offset = 0, jitter = 0;  // of the body; shift of all particles [cells], random shift of each [spacing]
     int cells = 12, ppc = 2, pad = 0, order = 2;
-    std::string shape = "all", transfer = "all", out, label, plot = "none";
-    bool quiet = false;
+    std::string shape = "all", transfer = "all";
     double h() const { return length / cells; }
 };
 

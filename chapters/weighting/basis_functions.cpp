@@ -46,11 +46,7 @@ int run(int argc, char** argv) {
     options.integer("points", set.points, "-", between(1, 1000), "samples per cell; surfaces have at most 10, and 40 along a side");
     options.number("l", set.l, "cells", {.low = 0, .high = 1, .low_open = true}, "initial size of a particle (ugimp, cpgimp)");
     options.number("F", set.F, "-", above(0), "stretch of the particle (cpgimp)");
-    options.text("out", set.out, "folder of the run; empty: out/<program>/<label>");
-    options.text("label", set.label, "name of the run; empty: made of the options that differ");
-    options.choice("plot", set.plot, {"none", "png", "svg", "pdf", "tikz"}, "picture to draw");
-    options.flag("quiet", set.quiet, "say nothing but errors");
-    for (const char* name : {"out", "label", "plot", "quiet"}) options.unlabelled(name);
+    set.declare(options);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
 
@@ -72,9 +68,7 @@ int run(int argc, char** argv) {
     for (const auto& [name, phi, grad, surface, surface_dx, d] : all)
         std::printf("%-10s %5zu  %21.1e  %20.1e  %28.1e  %15.1e\n", name.c_str(), phi.size(), d.unity, d.gradients, d.difference,
                     d.smallest);
-    std::printf("written:");
-    for (const std::string& file : files) std::printf(" %s", file.c_str());
-    std::printf("\n");
+    say_written(files);
     return 0;
 }
 

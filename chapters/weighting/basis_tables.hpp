@@ -7,14 +7,14 @@
 #include "chapters/weighting/sampled.hpp"
 #include "lab/figure.hpp"
 #include "lab/record.hpp"
+#include "lab/study.hpp"
 
 namespace mpm::basis {
 
-struct Settings {
+struct Settings : Study {
     int cells = 4, points = 40;
     double l = 0.5, F = 1.5;
-    std::string shape = "all", out, label, plot = "none";
-    bool quiet = false;
+    std::string shape = "all";
     int coarse() const { return std::min({points, 10, 40 / cells}); }  // a surface of more samples prints no better
 };
 
