@@ -22,6 +22,7 @@ struct SparseSystem::Impl {
     Eigen::SimplicialLDLT<Matrix, Eigen::Lower> ldlt;
     Eigen::SparseLU<Matrix> lu;
     long analyses = 0, factorisations = 0;
+    bool changed = true;  // since it was factorised
 
     void build(int unknowns) {
         std::vector<Eigen::Triplet<double>> entries;
@@ -41,6 +42,7 @@ struct SparseSystem::Impl {
         if (symmetric) ldlt.analyzePattern(K);
         else lu.analyzePattern(K);
         ++analyses;
+        changed = true;
     }
     int place(int row, int column) const {
         const int *begin = K.innerIndexPtr() + K.outerIndexPtr()[column], *end = K.innerIndexPtr() + K.outerIndexPtr()[column + 1];
@@ -49,17 +51,17 @@ struct SparseSystem::Impl {
 
     /// Of the residual of a solution, relative to |K| |x|: beyond it the factors are worthless.
     static constexpr double worthless = 1e-6;
-    bool solve(const Vector& b, Vector& x) {
+    void factorise() {
+        if (symmetric) ldlt.factorize(K);
+        else lu.factorize(K);
         ++factorisations;
-        if (symmetric) {
-            ldlt.factorize(K);
-            if (ldlt.info() != Eigen::Success) return false;
-            x = ldlt.solve(b);
-        } else {
-            lu.factorize(K);
-            if (lu.info() != Eigen::Success) return false;
-            x = lu.solve(b);
-        }
+        changed = false;
+    }
+    bool solve(const Vector& b, Vector& x) {
+        if (changed) factorise();
+        if ((symmetric ? ldlt.info() : lu.info()) != Eigen::Success) return false;
+        if (symmetric) x = ldlt.solve(b);
+        else x = lu.solve(b);
         if (!x.allFinite()) return false;
         const double left = (K * x - b).lpNorm<Eigen::Infinity>();
         double size = 0;
@@ -77,12 +79,16 @@ void SparseSystem::use(int unknowns, const std::vector<std::vector<int>>& elemen
     impl_->elements = elements;
     impl_->build(unknowns);
 }
-void SparseSystem::clear() { std::fill_n(impl_->K.valuePtr(), impl_->K.nonZeros(), 0.0); }
+void SparseSystem::clear() {
+    std::fill_n(impl_->K.valuePtr(), impl_->K.nonZeros(), 0.0);
+    impl_->changed = true;
+}
 void SparseSystem::add(int element, const double* K) {
     for (const int place : impl_->where[static_cast<std::size_t>(element)]) {
         if (place >= 0) impl_->K.valuePtr()[place] += *K;
         ++K;
     }
+    impl_->changed = true;
 }
 bool SparseSystem::solve(const std::vector<double>& b, std::vector<double>& x) {
     Impl::Vector solution;

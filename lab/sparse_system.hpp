@@ -21,7 +21,7 @@ public:
     void clear();
     /// Adds an element's matrix, row by row.
     void add(int element, const double* K);
-    /// Solves K x = b. False if K is singular to working precision or holds what is no number.
+    /// Solves K x = b. False if K is singular to working precision or holds what is no number. K is factorised anew only if it has changed.
     bool solve(const std::vector<double>& b, std::vector<double>& x);
 
     int unknowns() const;

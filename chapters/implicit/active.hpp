@@ -22,10 +22,15 @@ template <int D> struct ActiveGrid {
     std::vector<char> node_is_active;             // of each node of the grid
 
     template <class Points> void sort(const Rectilinear<D>& grid, const Points& points) {
+        sort(grid, points, [&](std::size_t p) { return grid.element_at(points[p].x); });
+    }
+    /// `element_of(p)` holds particle p; `full` are elements without particles that are no emptier for it, those of a finite element body.
+    template <class Points, class ElementOf>
+    void sort(const Rectilinear<D>& grid, const Points& points, ElementOf&& element_of, const std::vector<int>& full = {}) {
         std::vector<int> element(points.size());
         std::vector<std::size_t> count(static_cast<std::size_t>(grid.elements()) + 1, 0);
         for (std::size_t p = 0; p < points.size(); ++p) {
-            element[p] = grid.element_at(points[p].x);
+            element[p] = element_of(p);
             ++count[static_cast<std::size_t>(element[p]) + 1];
         }
         elements.clear();
@@ -36,16 +41,17 @@ template <int D> struct ActiveGrid {
         }
         particles.resize(points.size());
         for (std::size_t p = 0; p < points.size(); ++p) particles[count[static_cast<std::size_t>(element[p])]++] = p;
-        flag(grid);
+        flag(grid, full);
     }
 
 private:
     /// M_E starts from the number of nodes and loses one for each that an element without particles has too.
-    void flag(const Rectilinear<D>& grid) {
+    void flag(const Rectilinear<D>& grid, const std::vector<int>& full) {
         const int N = grid.nodes_per_element();
         std::vector<char> holds(static_cast<std::size_t>(grid.elements()), 0), touches_empty(static_cast<std::size_t>(grid.size()), 0);
         node_is_active.assign(static_cast<std::size_t>(grid.size()), 0);
         for (const int e : elements) holds[static_cast<std::size_t>(e)] = 1;
+        for (const int e : full) holds[static_cast<std::size_t>(e)] = 1;
         for (int e = 0; e < grid.elements(); ++e)
             for (int k = 0; k < N; ++k)
                 (holds[static_cast<std::size_t>(e)] ? node_is_active : touches_empty)[static_cast<std::size_t>(grid.node(e, k))] = 1;

@@ -23,6 +23,6 @@ private:
     std::size_t written_ = 0;
 };
 
-void add_facts(const ImplicitCounts& counts, const SparseSystem& system, std::vector<std::pair<std::string, double>>& facts);
+void add_facts(const ImplicitCounts& counts, std::vector<std::pair<std::string, double>>& facts);
 
 }  // namespace mpm

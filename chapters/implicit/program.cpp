@@ -17,15 +17,15 @@ void NewtonFile::write(const std::vector<SolvedStep>& history) {
     }
 }
 
-void add_facts(const ImplicitCounts& counts, const SparseSystem& system, std::vector<std::pair<std::string, double>>& facts) {
+void add_facts(const ImplicitCounts& counts, std::vector<std::pair<std::string, double>>& facts) {
     const auto number = [](long n) { return static_cast<double>(n); };
     facts.emplace_back("unknowns, at most", counts.unknowns);
-    facts.emplace_back("non-zeros of the tangent", number(system.nonzeros()));
+    facts.emplace_back("non-zeros of the tangent", number(counts.nonzeros));
     facts.emplace_back("Newton iterations per step", number(counts.iterations) / number(std::max(1L, counts.solutions)));
     facts.emplace_back("the same, at most", counts.most_iterations);
     facts.emplace_back("steps cut", number(counts.cuts));
-    facts.emplace_back("symbolic factorisations", number(system.analyses()));
-    facts.emplace_back("numerical factorisations", number(system.factorisations()));
+    facts.emplace_back("symbolic factorisations", number(counts.analyses));
+    facts.emplace_back("numerical factorisations", number(counts.factorisations));
     facts.emplace_back("assembly, CPU s", counts.assembly.cpu);
     facts.emplace_back("solution, CPU s", counts.solution.cpu);
     if (counts.soft_work != 0) facts.emplace_back("work of the soft stiffness", counts.soft_work);

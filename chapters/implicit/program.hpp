@@ -82,12 +82,14 @@ inline Snapshot elements_of(const Rectilinear<2>& grid, const ActiveGrid<2>& act
     return s;
 }
 
-template <class Element, class Scene>
+/// `AttachedOf<Element, Body>` shares the grid with the particles (alone.hpp); a scene's watch and observer may look at it, and a scene may
+/// tell the longest step that it wants now, step(points, attached), which --cfl is then a part of with --dt-from step.
+template <class Element, template <class, class> class AttachedOf = Alone, class Scene>
 [[gnu::cold]] Assembled assemble_implicit(const Scene& scene, const ImplicitSettings& settings, int cells, const Common& common,
                                           const std::string& newton_file = "") {
     constexpr int D = Scene::D;
     using Body = ImplicitMatter<Scene>;
-    using Method = ImplicitMpm<Element, Body, Scene>;
+    using Method = ImplicitMpm<Element, Body, Scene, AttachedOf<Element, Body>>;
     auto s = std::make_shared<ImplicitProblem<Scene>>(scene);
     s->body.points = s->scene.template particles<typename Body::Point>(cells, common.ppc);
     s->body.law = s->scene.law();
@@ -107,6 +109,7 @@ template <class Element, class Scene>
     sim.measure = [s, method] {
         Measures sum;
         add_measures(s->body, sum);
+        method->attached().measure(sum);
         sum.dissipated += method->counts().soft_work;
         return sum;
     };
@@ -117,18 +120,39 @@ template <class Element, class Scene>
     sim.inspect = [] { return Trouble{}; };
     sim.where = [s] { return fastest_particle(std::vector<Body*>{&s->body}); };
     sim.supply = [method](double, double) { return method->supply(); };
-    sim.critical_dt = [s] { return s->critical_dt(); };
-    sim.sample = [s](double t, double energy) { s->observer.sample(s->body.points, t, energy); };
+    sim.critical_dt = [s, method] {
+        if constexpr (requires { s->scene.step(s->body.points, method->attached()); })
+            return s->scene.step(s->body.points, method->attached());
+        else return s->critical_dt();
+    };
+    sim.sample = [s, method](double t, double energy) {
+        if constexpr (requires { s->observer.sample(s->body.points, method->attached(), t, energy); })
+            s->observer.sample(s->body.points, method->attached(), t, energy);
+        else s->observer.sample(s->body.points, t, energy);
+    };
     sim.wants_energy = [s, t_end = common.t_end](double t) { return s->observer.wants_energy(t, t_end); };
-    sim.watch = [s](double t) {
-        const auto values = s->scene.watch(s->body.points, t);
+    sim.watch = [s, method](double t) {
+        const auto values = [&] {
+            if constexpr (requires { s->scene.watch(s->body.points, method->attached(), t); })
+                return s->scene.watch(s->body.points, method->attached(), t);
+            else return s->scene.watch(s->body.points, t);
+        }();
         return std::vector<double>(values.begin(), values.end());
     };
-    sim.particles = [s] { return particles_of<D>(std::vector<Body*>{&s->body}); };
+    sim.particles = [s, method] {
+        std::vector<const Body*> bodies{&s->body};
+        for (const Body* other : method->attached().bodies()) bodies.push_back(other);
+        return particles_of<D>(bodies);
+    };
     sim.nodes = [method] { return nodes_of<D>(method->grid(), method->active()); };
-    if constexpr (D == 2) sim.domains = [method] { return elements_of(method->grid(), method->active()); };
-    sim.keep = [s] { s->good = s->body.points; };
-    sim.restore = [s] { s->body.points = s->good; };
+    if constexpr (D == 2)
+        sim.domains = [method] {
+            if constexpr (requires { method->attached().elements_of(method->grid(), method->active()); })
+                return method->attached().elements_of(method->grid(), method->active());
+            else return elements_of(method->grid(), method->active());
+        };
+    sim.keep = [s, method] { s->good = s->body.points, method->attached().keep(); };
+    sim.restore = [s, method] { s->body.points = s->good, method->attached().restore(); };
     a.critical_dt = s->smallest / (s->scene.wave_speed() + s->scene.speed());
     a.row.scene = Scene::name;
     a.row.reference = Scene::reference;
@@ -146,7 +170,8 @@ template <class Element, class Scene>
     a.errors = [s](double t_end) { return s->observer.errors(t_end); };
     a.facts = [s, method](double t_end) {
         auto facts = s->observer.facts(t_end);
-        add_facts(method->counts(), method->system(), facts);
+        if constexpr (requires { method->attached().add_facts(facts); }) method->attached().add_facts(facts);
+        add_facts(method->counts(), facts);
         return facts;
     };
     a.nodes = [] { return NodeWatch{}; };
