@@ -27,7 +27,7 @@ struct Cantilever {
     using Law = NeoHookean;
 
     double E = 1.74e6, nu = 0.4, rho = 1e4, L = 0.625, H = 0.25, H0 = 0.15, g = 9.81;
-    int rows = 20, layers = 21;
+    int rows = 20, layers = 20;
     mutable double released = std::numeric_limits<double>::infinity();  // when gravity ended, told by the observer
 
     void declare(Options& o) {

@@ -57,28 +57,29 @@ inline std::vector<Placed> graded_disk(double R, double R0, int around, int laye
 }
 
 /// Beam 0 < x < L, |y| < H/2: a core of height H0 with `rows` rows of particles, `layers` frames around it on all sides but that of x = 0.
-/// Core and frames share their areas evenly among their particles (the printed ones add up to more), so that all add up to L H; a frame's
-/// particles are as far apart as it is thick.
+/// Thickness and spacing of the frames shrink by the same factor, which is rounded up to three digits (1.148): so do the authors' programs,
+/// whose count this is (appendix A keeps the spacing of the core). Core and frames share their areas evenly among their particles, the last
+/// frame all that is left, so that all add up to L H.
 inline std::vector<Placed> graded_beam(double L, double H, double H0, int rows, int layers) {
     std::vector<Placed> all;
     const double d = H0 / (rows - 1), L0 = L - (H - H0) / 2;
-    const int columns = static_cast<int>(std::ceil(L0 / d));
+    const int columns = static_cast<int>(std::ceil(L0 / d)) + 1;
     for (int i = 0; i < columns; ++i)
         for (int j = 0; j < rows; ++j) all.push_back({Vec<2>(L0 * i / (columns - 1), H0 * (static_cast<double>(j) / (rows - 1) - 0.5)), 0});
     for (Placed& p : all) p.V = L0 * H0 / static_cast<double>(all.size());
-    const double a = grading(d, layers, (H - H0) / 2);
-    double inner_area = L0 * H0, out = 0, width = d;
+    const double shrink = std::ceil(1000 / grading(d, layers, (H - H0) / 2)) / 1000;
+    double inner_area = L0 * H0, across = d, along = L0 / (columns - 1), h = H0, l = L0;
     for (int i = 1; i <= layers; ++i) {
-        width *= a;
-        out = i == layers ? (H - H0) / 2 : out + width;
-        const double h = H0 + 2 * out, l = L0 + out;
-        const int high = static_cast<int>(std::ceil(h / width)) + 1, along = static_cast<int>(std::ceil(l / width)) + 1;
+        across /= shrink, along /= shrink;
+        h += 2 * across, l += along;
+        const int high = static_cast<int>(std::ceil(h / across)) + 1, wide = static_cast<int>(std::ceil(l / along)) + 1;
         const std::size_t first = all.size();
-        for (int j = 0; j < along; ++j) all.push_back({Vec<2>(l * j / (along - 1), h / 2), 0});
+        for (int j = 0; j < wide; ++j) all.push_back({Vec<2>(l * j / (wide - 1), h / 2), 0});
         for (int j = 1; j < high; ++j) all.push_back({Vec<2>(l, h / 2 - h * j / (high - 1)), 0});
-        for (int j = 1; j < along; ++j) all.push_back({Vec<2>(l - l * j / (along - 1), -h / 2), 0});
-        for (std::size_t p = first; p < all.size(); ++p) all[p].V = (l * h - inner_area) / static_cast<double>(all.size() - first);
-        inner_area = l * h;
+        for (int j = 1; j < wide; ++j) all.push_back({Vec<2>(l - l * j / (wide - 1), -h / 2), 0});
+        const double area = i == layers ? L * H : l * h;
+        for (std::size_t p = first; p < all.size(); ++p) all[p].V = (area - inner_area) / static_cast<double>(all.size() - first);
+        inner_area = area;
     }
     return all;
 }
