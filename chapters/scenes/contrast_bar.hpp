@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "chapters/material/materials.hpp"
 #include "chapters/scenes/bar.hpp"
@@ -21,6 +22,7 @@ template <bool TotalLagrangian> struct ContrastBar : Bar<TotalLagrangian> {
     using Bar<TotalLagrangian>::E, Bar<TotalLagrangian>::rho, Bar<TotalLagrangian>::length, Bar<TotalLagrangian>::v0;
 
     double contrast = 1;  // E of the outer half over E of the inner one [-]
+    int outer_ppc = 0;    // particles per cell of the outer half; 0: as in the inner one
 
     void declare(Options& o) {
         o.number("contrast", contrast, "-", above(0), "modulus of the outer half over that of the inner one");
@@ -29,6 +31,7 @@ template <bool TotalLagrangian> struct ContrastBar : Bar<TotalLagrangian> {
         o.number("length", length, "length", above(0), "length of the bar");
         o.number("v0", v0, "length/time", above(0), "initial velocity of the free end");
         o.number("offset", this->offset, "cells", between(-0.5, 0.5), "shift of all particles within their cells");
+        o.integer("outer-ppc", outer_ppc, "-", between(0, 100), "particles per cell of the outer half; 0: --ppc, as in the inner one");
     }
 
     /// a of the first mode: tan a tan(a r) - r grows from -r to infinity over 0 < a < pi/2 min(1, 1/r), r = sqrt(E_1/E_2).
@@ -58,6 +61,12 @@ template <bool TotalLagrangian> struct ContrastBar : Bar<TotalLagrangian> {
     Lattice<1> lattice(int cells, int per_cell) const { return this->swinging_lattice(cells, per_cell, 1.5 * v0 / omega()); }
     template <class Point> std::vector<Point> particles(int cells, int ppc) const {
         auto points = Bar<TotalLagrangian>::template particles<Point>(cells, ppc);
+        if (outer_ppc > 0 && outer_ppc != ppc) {
+            const auto inner = [&](const Point& p) { return p.X[0] < length / 2; };
+            std::erase_if(points, [&](const Point& p) { return !inner(p); });
+            for (const Point& p : Bar<TotalLagrangian>::template particles<Point>(cells, outer_ppc))
+                if (!inner(p)) points.push_back(p);
+        }
         for (Point& p : points) {
             p.v[0] = velocity(p.X[0]);
             p.material = p.X[0] < length / 2 ? 0 : 1;
@@ -72,6 +81,7 @@ template <bool TotalLagrangian> struct ContrastBar : Bar<TotalLagrangian> {
     ContrastBar<true> total_lagrangian() const {
         ContrastBar<true> bar;
         bar.E = E, bar.rho = rho, bar.length = length, bar.v0 = v0, bar.offset = this->offset, bar.contrast = contrast;
+        bar.outer_ppc = outer_ppc;
         return bar;
     }
 

@@ -1,4 +1,4 @@
-/// Two equal elastic bars meet head on (review 5.1): they press each other for 2L/c and part with exchanged velocities.
+/// Two elastic bars meet head on (review 5.1): they press each other for 2L/c and part, equal ones with exchanged velocities.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -33,8 +33,10 @@ struct BarsSettings {
     }
 };
 
-/// Waves of stress -rho c v0 run from the faces to the free ends and back as relief: every point of a bar has the velocity v0, 0, -v0 in
-/// turn. Small strains: the law in rate form is that of the exact solution. There is one for equal bars alone.
+/// Waves run from the faces to the free ends and back as relief: every point of the left bar has the velocity v0, v_face, 2 v_face - v0 in
+/// turn, v_face = v0 (1 - z)/(1 + z) by the impedances rho c, z that of the right bar over that of the left one. A right bar that is denser,
+/// and so slower, gets its relief later: the bars part at 2L/c of the left one; a lighter one is not followed. Small strains: the law in
+/// rate form is that of the exact solution.
 struct HeadOnBars : FreeScene, BarsSettings {
     static constexpr int D = 1;
     static constexpr const char* name = "head-on-bars";
@@ -54,7 +56,9 @@ struct HeadOnBars : FreeScene, BarsSettings {
     double c() const { return std::sqrt(E / rho); }
     double meets() const { return clearance / (2 * v0); }
     double lasts() const { return 2 * length / c(); }
-    bool has_exact() const { return ratio == 1; }
+    bool has_exact() const { return ratio >= 1; }
+    double v_face() const { return v0 * (1 - std::sqrt(ratio)) / (1 + std::sqrt(ratio)); }
+    double v_end() const { return 2 * v_face() - v0; }  // of the left bar
 
     Lattice<1> lattice(int cells, int per_cell) const {
         const double h = length / cells, flight = std::ceil(v0 * t_end / h);
@@ -73,10 +77,10 @@ struct HeadOnBars : FreeScene, BarsSettings {
         return {left, right};
     }
 
-    /// Mean velocity of the left bar: from v0 to -v0 in a straight line while they touch.
+    /// Mean velocity of the left bar: in a straight line while they touch.
     double exact(double t) const {
         if (!has_exact()) return std::numeric_limits<double>::quiet_NaN();
-        return v0 * (1 - 2 * std::clamp((t - meets()) / lasts(), 0.0, 1.0));
+        return v0 + (v_end() - v0) * std::clamp((t - meets()) / lasts(), 0.0, 1.0);
     }
     /// Mean velocities by mass of the left and the right half of the particles.
     template <class Points> std::array<double, 2> means(const Points& points) const {
@@ -108,7 +112,7 @@ struct HeadOnBars : FreeScene, BarsSettings {
             if (!scene.has_exact()) return {{"duration", std::numeric_limits<double>::quiet_NaN()}};
             return {{"duration", std::abs(duration() / scene.lasts() - 1)},
                     {"touch", std::abs(scene.log->touched - scene.meets()) / scene.lasts()},
-                    {"velocity", std::abs(left / -scene.v0 - 1)},
+                    {"velocity", std::abs(left / scene.v_end() - 1)},
                     {"energy", std::abs(energy / first - 1)}};
         }
         std::vector<std::pair<std::string, double>> facts(double) const {

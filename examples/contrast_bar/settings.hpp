@@ -19,5 +19,7 @@ Assembled usl_contrast(const ContrastSettings& settings, int cells);
 Assembled usf_contrast(const ContrastSettings& settings, int cells);
 Assembled musl_contrast(const ContrastSettings& settings, int cells);
 Assembled tlmpm_contrast(const ContrastSettings& settings, int cells);
+Assembled impm_contrast(const ContrastSettings& settings, int cells);
+Assembled cpdi_contrast(const ContrastSettings& settings, int cells);
 
 }  // namespace mpm
