@@ -2,6 +2,8 @@
 /// 32 are its J = 2, 3, 4.
 ///   ./implicit_cantilever --cells 8
 ///   ./implicit_cantilever --cells 16 --carry conserving
+#include <algorithm>
+
 #include "chapters/implicit/program.hpp"
 #include "chapters/scenes/cantilever.hpp"
 
@@ -33,7 +35,7 @@ int run(int argc, char** argv) {
     if (answered(options, program)) return 0;
     if (options.given("ppc")) throw BadInput("--ppc: --rows and --layers say how many particles there are");
     if (options.given("cfl")) common.dt = 0;
-    if (!options.given("soft-few")) method.soft_few = 1e-6;  // (53)
+    if (!options.given("soft-few")) method.soft_few = 1e-6 / std::max(1.0, beam.contrast);  // (53), of the inner part's E
     if (!options.given("soft-some")) method.soft_some = 1e-4 * method.soft_few;
     ImplicitSettings settings = method.settings(options, common.threads);
     settings.receding.axis = 0;

@@ -1,4 +1,4 @@
-/// A column on the ground under its weight and a load on top, which set in at once; its state of rest is exact.
+/// A column on the ground under its weight and a load on top, which set in at once or grow for a time; its state of rest is exact.
 #pragma once
 #include <array>
 #include <cmath>
@@ -25,6 +25,7 @@ struct RestingColumn {
     using Law = NeoHookean;
 
     double E = 1e8, nu = 0.3, rho = 1000, length = 10, g = 10, traction = -5e4;
+    double stiffer = 1, ramp = 0;  // E, weight and load times this: the strain at rest stays; time in which they grow
 
     void declare(Options& o) {
         o.number("E", E, "stress", above(0), "Young's modulus");
@@ -33,8 +34,10 @@ struct RestingColumn {
         o.number("length", length, "length", above(0), "height of the column");
         o.number("g", g, "length/time^2", at_least(0), "gravity");
         o.number("traction", traction, "stress", any(), "load on top; negative presses");
+        o.number("stiffer", stiffer, "-", above(0), "E, gravity and load times this: the same strain at rest, faster waves");
+        o.number("ramp", ramp, "time", at_least(0), "time in which gravity and load grow; 0: at once");
     }
-    double mu() const { return E / (2 * (1 + nu)); }
+    double mu() const { return stiffer * E / (2 * (1 + nu)); }
     Law law() const { return {2 * mu() * nu / (1 - 2 * nu), mu(), rho}; }
     double wave_speed() const { return law().wave_speed(); }
     double speed() const { return 0; }
@@ -45,7 +48,8 @@ struct RestingColumn {
         u_rest_ = rest(solid).displacement(length);
         if (u_rest_ > length) throw BadInput("--traction: the column stretches to more than twice its height");
     }
-    template <class Solid> ColumnAtRest<Solid> rest(const Solid& solid) const { return {solid, length, traction, -rho * g}; }
+    template <class Solid> ColumnAtRest<Solid> rest(const Solid& solid) const { return {solid, length, stiffer * traction, -rho * stiffer * g}; }
+    double grown(double t) const { return stiffer * (t < ramp ? t / ramp : 1); }
 
     std::array<Lines, 1> lines(int cells) const {
         const double h = length / cells;
@@ -57,14 +61,14 @@ struct RestingColumn {
         all[0] = 1;
         return all;
     }
-    Vec<1> body_force(double) const { return Vec<1>(-g); }
+    Vec<1> body_force(double t) const { return Vec<1>(-g * grown(t)); }
 
     struct Traction {
         std::size_t particle;
         Vec<1> x, force;
     };
-    template <class Points> std::array<Traction, 1> tractions(const Points& points, double) const {
-        return {Traction{points.size() - 1, Vec<1>(end(points)), Vec<1>(traction)}};
+    template <class Points> std::array<Traction, 1> tractions(const Points& points, double t) const {
+        return {Traction{points.size() - 1, Vec<1>(end(points)), Vec<1>(traction * grown(t))}};
     }
     template <class Points> double end(const Points& points) const {
         const auto& p = points[points.size() - 1];
@@ -99,7 +103,9 @@ struct RestingColumn {
             }
         }
         bool wants_energy(double, double) const { return false; }
-        double stress_error() const { return std::sqrt(stress) / (std::abs(column.traction) + column.rho * column.g * column.length); }
+        double stress_error() const {
+            return std::sqrt(stress) / (column.stiffer * (std::abs(column.traction) + column.rho * column.g * column.length));
+        }
         std::vector<NamedError> errors(double) const {
             return {{"u_static", std::abs(u / column.u_rest_ - 1)}, {"sigma_static", stress_error()}};
         }

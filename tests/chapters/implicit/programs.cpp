@@ -42,6 +42,20 @@ TEST(ImplicitColumn, RestsWhereItMust) {
     EXPECT_LT(number(rows, 1, "error"), 1e-3);
     EXPECT_LT(number(rows, 2, "error"), 0.05);  // stress is constant in a cell
 }
+TEST(ImplicitColumn, FollowsASlowLoadAtAnyStiffness) {
+    for (const char* stiffer : {"1", "1e8"}) {
+        const auto rows = summary("implicit_column", {"--cells", "10", "--stiffer", stiffer, "--ramp", "1", "--dt", "0.1"});
+        EXPECT_EQ(field(rows, 1, "steps"), "20");
+        EXPECT_LT(number(rows, 1, "error"), 1e-3) << stiffer;  // as above
+    }
+}
+TEST(ImplicitCantilever, StiffEndCostsNoSteps) {
+    for (const char* contrast : {"1", "1e4"}) {
+        const auto rows = summary("implicit_cantilever", {"--contrast", contrast, "--g", "0.01", "--rows", "10", "--layers", "5", "--t-end", "1.6"});
+        EXPECT_EQ(field(rows, 1, "steps"), "200");
+        EXPECT_LT(number(rows, 1, "momentum_drift"), 1e-6) << contrast;  // Newton's 1e-10, of terms that grow with the contrast
+    }
+}
 TEST(ImplicitCrossing, ConservingStepsKeepTheEnergyThroughAThousandCells) {
     const auto rows = summary("implicit_crossing", {"--carry", "conserving"});
     EXPECT_LT(number(rows, 1, "error"), 1e-5);  // gain; Newton's tolerance in each of 11,001 steps
