@@ -34,7 +34,8 @@ int run(int argc, char** argv) {
     check_settings(s);
     for (const char* transfer : {"xpic", "consistent"})
         if (s.transfer.name == transfer) throw BadInput(std::string("--transfer ") + transfer + ": allowed here: flip, apic, fmpm");
-    if (s.scheme == "cpdi" && s.scene.placing == "gauss") throw BadInput("--points gauss: domains lie around their particles, allowed: mid");
+    if (s.scheme == "cpdi" && s.scene.placing == "gauss")
+        throw BadInput("--points gauss: domains lie around their particles, allowed: mid");
     if (!options.given("t-end")) s.common.t_end = s.scene.T();
     using Scene = Affine<true>;
     const Description about{program, purpose, Scene::name, Scene::solves, {Scene::columns.begin(), Scene::columns.end()}};

@@ -14,6 +14,7 @@
 #include "lab/clock.hpp"
 #include "lab/columns.hpp"
 #include "lab/coverage.hpp"
+#include "lab/locking.hpp"
 #include "lab/monitor.hpp"
 #include "lab/overlap.hpp"
 #include "lab/program.hpp"
@@ -45,6 +46,7 @@ template <class Scene, class Matter> struct Problem {
     std::vector<std::vector<typename Matter::Point>> good;  // the last state that was well
     std::vector<std::vector<std::uint32_t>> good_numbers;   // and the numbers of its points
     std::vector<Coverage<D>> coverage;                      // of bodies that can come apart
+    std::vector<LockingWatch<Matter>> locking;              // of nearly incompressible solids in the plane
     bool watches_overlap = false;
     NodeWatch nodes;
     bool watches_nodes = false;
@@ -78,6 +80,8 @@ template <class Scene, class Matter> struct Problem {
     Trouble inspect() {
         for (std::size_t b = 0; b < coverage.size(); ++b)
             if (Trouble gap = coverage[b].check(*bodies[b])) return gap;
+        for (std::size_t b = 0; b < locking.size(); ++b)
+            if (Trouble trouble = locking[b].check(*bodies[b])) return trouble;
         if (shapes_trouble)
             if (Trouble trouble = shapes_trouble()) return trouble;
         return watches_overlap ? check_overlap<D>(bodies) : Trouble{};
@@ -156,6 +160,9 @@ template <class Scene, class Matter> [[gnu::cold]] Assembled watched_and_reporte
     if constexpr (!requires { Scene::may_break; })
         if (!combination.total_lagrangian)
             for (const Matter* body : s->bodies) s->coverage.emplace_back(*body, combination.shape.support);
+    if constexpr (Scene::D == 2)
+        if (can_lock(s->bodies[0]->law))
+            for (const Matter* body : s->bodies) s->locking.emplace_back(*body, scene.wave_speed());
     if constexpr (!requires { Scene::may_overlap; }) s->watches_overlap = s->bodies.size() > 1;
     s->keep();
     Assembled a;

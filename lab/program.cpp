@@ -71,7 +71,7 @@ void Common::declare(Options& o, const std::vector<std::string>& shapes, double 
     o.integers("cells", cells, "cells", between(3, 1000000), "cells across the body's longest side; a list runs each");
     o.integer("ppc", ppc, "-", between(1, 100), "particles per cell and direction");
     o.choice("shape", shape, shapes, "weighting function");
-    o.number("cfl", cfl, "-", above(0), "time step as a fraction of " + limit);
+    o.number("cfl", cfl, limit, above(0), "time step as a fraction of " + limit);
     o.number("dt", dt, "time", at_least(0), "time step; 0: from --cfl");
     o.contradict("dt", "cfl");
     o.choice("dt-from", dt_from, {"start", "step"}, "whole equal steps, or " + limit + " afresh every step (review 2.7)");

@@ -168,7 +168,7 @@ private:
         if (!trouble || stopped_by_) return;
         if (!result_.trouble) {
             result_.trouble = trouble;
-            if (trouble.cause != "bodies-passed-through") result_.trouble.reason += "; " + sim_.where();
+            if (trouble.cause != "bodies-passed-through" && trouble.cause != "locking") result_.trouble.reason += "; " + sim_.where();
             result_.t_fail = next_;
         }
         if (plan_.stop_on_trouble || trouble.cause == "not-finite") stopped_by_ = trouble;
@@ -181,7 +181,7 @@ private:
             trouble = stopped_by_, result_.t_fail = next_;
         else if (stopped_by_ && result_.t_fail < next_)  // warned of before
             trouble.reason += "; stopped at t = " + number_text(next_) + " by " + stopped_by_.cause + ": " + stopped_by_.reason;
-        if (trouble.cause != "energy-growth" && energy_.growth() > 0.5 * EnergyWatch::limit) {
+        if (trouble.cause != "energy-growth" && trouble.cause != "locking" && energy_.growth() > 0.5 * EnergyWatch::limit) {
             trouble.reason += "; the energy had grown by " + percent(energy_.growth()) + " of that in play";
             trouble.cause = "energy-growth";
         }
@@ -190,7 +190,9 @@ private:
         std::snprintf(text, sizeof text,
                       ratio > 1 ? "; likely cause: the time step is %.3g times %s" : "; the time step is %.3g of %s, so look at the scheme",
                       ratio, plan_.limit.c_str());
-        if (trouble.cause != "numerical-fracture" && trouble.cause != "bodies-passed-through" && !sim_.any_step) trouble.reason += text;
+        const bool at_any_step =
+            trouble.cause == "numerical-fracture" || trouble.cause == "bodies-passed-through" || trouble.cause == "locking";
+        if (!at_any_step && !sim_.any_step) trouble.reason += text;
     }
     double step_ratio() const { return plan_.cfl > 0 ? plan_.cfl : plan_.dt / plan_.critical_dt; }
     static std::string percent(double part) {

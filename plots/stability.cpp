@@ -1,4 +1,5 @@
-/// stability: for each variant the largest stable time step as a fraction of h/(c + |v|), and how it fares in stiff cases.
+/// stability: for each variant the largest stable time step as a fraction of the critical one, h/(c + |v|) or what the program names, and
+/// how it fares in stiff cases.
 ///   ./stability -- usl_bar -- musl_bar --shape cubic
 #include <unistd.h>
 
@@ -62,8 +63,9 @@ void print(const std::vector<Case>& cases, const std::vector<Probed>& probed) {
     std::size_t width = 7;
     for (const Probed& p : probed) width = std::max(width, p.name.size());
     const int w = static_cast<int>(width);
-    std::printf("largest stable time step, as a fraction of h/(c + |v|)\n");
-    for (const Probed& p : probed) std::printf("  %-*s  %s (%d runs)\n", w, p.name.c_str(), limit_text(p.limit).c_str(), p.limit.runs);
+    std::printf("largest stable time step, as a fraction of the critical one\n");
+    for (const Probed& p : probed)
+        std::printf("  %-*s  %s, of %s (%d runs)\n", w, p.name.c_str(), limit_text(p.limit).c_str(), p.unit.c_str(), p.limit.runs);
     for (std::size_t c = 0; c < cases.size(); ++c) {
         const bool none = std::all_of(probed.begin(), probed.end(), [&](const Probed& p) { return p.found[c].verdict == "left out"; });
         std::printf("%s, %d cells%s\n", cases[c].title.c_str(), cases[c].cells,
@@ -102,7 +104,7 @@ int probe(const Settings& s, Programs& programs, const std::vector<Variant>& var
                 row(name, number_text(trial->fraction), s.limits.cells, s.limits.periods,
                     {s.limits.error, trial->verdict, trial->reason, trial->error, trial->fraction * prober.critical_dt(), trial->fraction,
                      nan});
-        probed.push_back({names[v], *limit, {}});
+        probed.push_back({names[v], *limit, {}, critical_name(programs, variant.program)});
         cases = stiff_cases(contrasts, s.limits, prober.particles_per_cell());
         for (const Case& stiff : cases) {
             say(s, names[v] + ": " + stiff.name + " " + stiff.value);

@@ -9,6 +9,7 @@
 
 #include "lab/options.hpp"
 #include "lab/record.hpp"
+#include "lab/run.hpp"
 
 namespace mpm {
 namespace {
@@ -94,21 +95,35 @@ std::optional<Found> Prober::run(const std::string& name, int cells, double peri
     return Found{row->error_name, row->verdict, row->reason, wanted ? row->error : nan, row->dt, row->cfl, row->t_fail};
 }
 
-std::optional<Limit> Prober::largest_step() {
-    constexpr double lowest = 1e-4, highest = 64;  // fractions of h/(c + |v|) between which it looks
-    // With its own step first: the row says what the step is in units of h/(c + |v|).
-    const auto own = run("own-step", limits_.cells, limits_.periods, {});
+std::string critical_name(Programs& programs, const std::string& program) {
+    const CsvTable& options = programs.describe(program);
+    for (std::size_t i = 0; i < options.rows.size() && options.has("unit"); ++i)
+        if (options.text(i, "name") == "cfl" && options.text(i, "unit") != "-") return options.text(i, "unit");
+    return wave_limit;
+}
+
+std::optional<Limit> largest_step(double tolerance, double& critical_dt,
+                                  const std::function<std::optional<Found>(const Words& more)>& run) {
+    constexpr double lowest = 1e-4, highest = 64;  // fractions of the critical step between which it looks
+    // With its own step first: the row says what the step is in units of the critical one.
+    const auto own = run({});
     if (!own) return {};
-    critical_dt_ = own->dt / own->fraction;
-    if (!(critical_dt_ > 0) || !std::isfinite(critical_dt_)) {
+    critical_dt = own->dt / own->fraction;
+    if (!(critical_dt > 0) || !std::isfinite(critical_dt)) {
         Limit none;
         none.unstable = Trial{nan, nan, own->verdict, own->reason};
         return none;
     }
-    return largest_stable(1, lowest, highest, limits_.tolerance, [&](double fraction) -> std::optional<Trial> {
-        const auto found = run("step", limits_.cells, limits_.periods, {"--dt", number_text(fraction * critical_dt_)});
+    return largest_stable(1, lowest, highest, tolerance, [&](double fraction) -> std::optional<Trial> {
+        const auto found = run({"--dt", number_text(fraction * critical_dt)});
         if (!found) return {};
         return Trial{std::isfinite(found->fraction) ? found->fraction : fraction, found->error, found->verdict, found->reason};
+    });
+}
+
+std::optional<Limit> Prober::largest_step() {
+    return mpm::largest_step(limits_.tolerance, critical_dt_, [&](const Words& more) {
+        return run(more.empty() ? "own-step" : "step", limits_.cells, limits_.periods, more);
     });
 }
 

@@ -1,5 +1,6 @@
 /// What `stability` tries on each variant: steps up to the largest stable one, and the stiff cases.
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,14 @@ struct Found {
     double error, dt, fraction, t_fail;
     std::string shown() const;  // "1.9e-4", "energy-growth"
 };
+
+/// What a program's critical step is, the unit of its --cfl: "h/(c + |v|)", "h^2/(2 kappa)".
+std::string critical_name(Programs& programs, const std::string& program);
+
+/// The largest stable step by bisection, as a fraction of the critical one, which the first run tells; `run` gets further words for the
+/// program. Nothing when interrupted.
+std::optional<Limit> largest_step(double tolerance, double& critical_dt,
+                                  const std::function<std::optional<Found>(const Words& more)>& run);
 
 /// Runs one variant as a process.
 class Prober {

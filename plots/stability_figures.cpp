@@ -43,6 +43,19 @@ int margin(const std::vector<Probed>& probed) {
     return static_cast<int>(longest) + 2;
 }
 
+/// The axis of the largest steps, in units of the critical one, which it names if that is the same for all.
+std::string step_label(const std::vector<Probed>& probed) {
+    const bool one = std::all_of(probed.begin(), probed.end(), [&](const Probed& p) { return p.unit == probed.front().unit; });
+    if (!one) return gnuplot_text("largest stable time step / critical step");
+    const auto spelled = [&](const std::string& kappa) {
+        std::string unit = probed.front().unit;
+        if (const std::size_t at = unit.find("kappa"); at != std::string::npos) unit.replace(at, 5, kappa);
+        return unit;
+    };
+    return formula("largest stable time step Δt / [" + spelled("κ") + "]",
+                   "largest stable time step $\\Delta t / [" + spelled("\\kappa") + "]$");
+}
+
 }  // namespace
 
 std::string limit_text(const Limit& limit) {
@@ -67,7 +80,7 @@ std::string write_step_figure(const std::string& folder, const std::string& titl
     std::string text = script_head(name, 1200, 190 + 62 * static_cast<int>(probed.size()), title);
     text += "set lmargin " + std::to_string(margin(probed)) + "\n" + variant_tics(probed) + "set xrange [0:" + number_text(2.1 * widest) +
             "]\n";
-    text += "set xlabel " + formula("largest stable time step Δt / [h/(c + |v|)]", "largest stable time step $\\Delta t / [h/(c + |v|)]$") +
+    text += "set xlabel " + step_label(probed) +
             "\nset xtics nomirror\nset ytics nomirror scale 0\nunset key\nset style textbox opaque noborder margins 0.3,0.3\nset style "
             "fill solid 0.9 border lc rgb 'black'\nset arrow from 1, graph 0 to 1, graph 1 nohead back dt (10,6) lw 2 lc rgb '#303030'\n";
     text += "plot '" + name +

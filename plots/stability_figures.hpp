@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/run.hpp"
 #include "plots/stability_cases.hpp"
 
 namespace mpm {
@@ -12,6 +13,7 @@ struct Probed {
     std::string name;
     Limit limit;
     std::vector<Found> found;  // one for each case
+    std::string unit = wave_limit;  // its critical step
 };
 /// "1.98 (then energy-growth)": the largest stable fraction and how it fails beyond.
 std::string limit_text(const Limit& limit);

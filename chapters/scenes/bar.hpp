@@ -31,7 +31,13 @@ template <class Scene> struct WaveObserver {
     std::vector<NamedError> errors(double t_end) const {
         return {{"frequency", std::abs(wave.omega() / bar.omega() - 1)},
                 {"energy", std::abs(wave.energy_kept(bar.period(), t_end) - 1)},
-                {"v_cm_L2", wave.relative_l2()}};
+                {"v_cm_L2", wave.relative_l2()},
+                {"energy_per_period", drift(t_end)}};
+    }
+    /// Part of the energy that a period takes, or adds: the mean over all from the first to the last.
+    double drift(double t_end) const {
+        const double periods = t_end / bar.period() - 1;
+        return periods > 0 ? std::abs(std::pow(wave.energy_kept(bar.period(), t_end), 1 / periods) - 1) : 0;
     }
     std::vector<std::pair<std::string, double>> facts(double t_end) const {
         return {{"frequency / exact - 1", wave.omega() / bar.omega() - 1},

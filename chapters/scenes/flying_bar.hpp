@@ -30,7 +30,7 @@ struct FlyingBarCase {
         o.choice("into", into, {"wall", "nothing"}, "it strikes a wall at x = 0, or flies freely");
         o.number("size", size, "cells", at_least(0), "length of the bar, which may be less than a cell; 0: --length");
         o.number("offset", offset, "cells", between(-0.5, 0.5), "of --into nothing: shift of the bar against the grid");
-        o.number("strain", strain, "-", between(-0.9, 10), "of --into nothing: uniform stretch - 1 at the start, which sets the bar vibrating");
+        o.number("strain", strain, "-", between(-0.9, 10), "of --into nothing: stretch - 1 at the start, uniform; the bar vibrates");
         o.number("crossings", crossings, "cells", between(0.1, 1e6), "of --into nothing: cells that the bar flies through");
     }
     /// Throws BadInput for what does not go together.
@@ -44,7 +44,7 @@ struct FlyingBarCase {
     bool strikes() const { return into == "wall"; }
 };
 
-/// Into the wall: a shock runs from it through the bar, which comes to rest behind the shock. With the bar's law, P = E/2 (F - 1/F), balance
+/// Into the wall: a shock runs from it through the bar, which comes to rest behind it. With the bar's law, P = E/2 (F - 1/F), balance
 /// of mass and momentum across the shock, U (1 - F) = V and rho U V = -P, give 2 (V/c)^2 F = (1 - F)^2 (1 + F) for the stretch F behind it;
 /// so the mean velocity falls as V (1 - U t/L) until the shock leaves. The shock dissipates; methods without viscosity keep that energy as
 /// oscillations behind it.
@@ -144,7 +144,8 @@ template <bool TotalLagrangian> struct FlyingBar : FlyingBarCase {
         std::vector<std::pair<std::string, double>> facts(double) const {
             std::vector<std::pair<std::string, double>> all{{"mean velocity - exact, rms / speed", v_cm()}, {"largest strain", strain}};
             if (bar.strikes())
-                all.insert(all.end(), {{"stretch behind the shock, exact", bar.shocked()}, {"shock speed / c", bar.shock_speed() / bar.c()}});
+                all.insert(all.end(),
+                           {{"stretch behind the shock, exact", bar.shocked()}, {"shock speed / c", bar.shock_speed() / bar.c()}});
             return all;
         }
     };

@@ -74,6 +74,11 @@ TEST(HeadOnBars, TouchFor2LOverC) {
     EXPECT_LT(r.error("energy"), 0.005);
     EXPECT_LT(r.number("momentum_drift"), 1e-12);
 }
+// The light bar rebounds from one a million times as dense as from a wall that comes towards it: 3 v0.
+TEST(HeadOnBars, ALightOneReboundsFromAHeavyOne) {
+    const Outcome r = run("head_on_bars", {"--cells", "100", "--density-ratio", "1e6"});
+    EXPECT_LT(r.error("velocity"), 0.05);  // a cell, a hundredth of the length, for each of the four passages of the wave
+}
 TEST(TwoDisksContact, TouchWithinAFifthOfACell) {
     EXPECT_LT(run("two_disks_contact", {"--t-end", "1.8"}).error("touch"), 0.2 * 0.05);
     EXPECT_GT(run("two_disks_contact", {"--t-end", "1.8", "--field", "shared"}).error("touch"), 0.05);  // a cell and more
