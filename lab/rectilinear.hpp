@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <new>
 #include <vector>
 
 #include "lab/math.hpp"
@@ -37,7 +39,12 @@ struct Sharing {
 /// Elements and nodes are numbered fastest along the first axis.
 template <int D> class Rectilinear {
 public:
-    explicit Rectilinear(const std::array<Lines, D>& lines, Sharing sharing = {}) : lines_(lines), sharing_(sharing) {}
+    /// Throws std::bad_alloc if the nodes cannot be counted.
+    explicit Rectilinear(const std::array<Lines, D>& lines, Sharing sharing = {}) : lines_(lines), sharing_(sharing) {
+        double all = D;
+        for (int d = 0; d < D; ++d) all *= nodes(d);
+        if (all > std::numeric_limits<int>::max()) throw std::bad_alloc();
+    }
     Rectilinear() : Rectilinear([] {
         std::array<Lines, D> unit;
         unit.fill(Lines{0, 1});

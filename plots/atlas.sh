@@ -20,6 +20,15 @@ explicit=$(each "" "usl_bar" "usf_bar" "musl_bar" "tlmpm_bar" "musl_bar --shape 
 atlas bar "Axial vibration of a bar, mode 1, 10 periods" frequency 13,25,50,100,200 13,25,50 "$explicit"
 atlas bar-implicit "The same bar, steps far beyond the explicit limit" frequency 13,25,50,100 13,25 \
     "$(each "" "musl_bar --cfl 0.5" "tlmpm_bar --cfl 0.5" "implicit_bar --cfl 0.5" "implicit_bar --cfl 5" "implicit_bar --cfl 50")"
+atlas stiff-bar "A bar whose outer half is 1e4 times stiffer, one period" frequency 8,16,32,64 8,16 \
+    "$(each "" "contrast_bar --scheme musl --contrast 1e4 --cfl 0.5" "contrast_bar --scheme tlmpm --contrast 1e4 --cfl 0.5" \
+        "implicit_contrast_bar --contrast 1e4 --steps 50" "implicit_contrast_bar --contrast 1e4 --steps 200")"
+atlas column "A column, loaded in a second" u_static 5,10,20,40 5,10 \
+    "$(each "" "resting_column --scheme musl --ramp 1" "resting_column --scheme tlmpm --ramp 1" "implicit_column --ramp 1 --dt 0.1")"
+swing="--rows 10 --layers 5 --g 0.01 --t-end 3 --reference 1.3464"
+atlas cantilever "A short cantilever swings a little" frequency 8,16,32 8,16 \
+    "$(each "" "cantilever --scheme musl $swing" "cantilever --scheme tlmpm $swing" "cantilever --scheme tlmpm --shape hat $swing" \
+        "implicit_cantilever $swing")"
 atlas segment "Manufactured segment, large displacements (G = 0.05)" e2 8,16,32,64,128,256 8,16,32,64 \
     "$(each "mms_segment --G 0.05 --ppc 2" "--scheme fem" "--scheme tlmpm" "--scheme tlmpm --shape cubic" "--scheme tlmpm --shape bernstein" \
         "--scheme tlmpm --transfer apic" "--scheme tlmpm --shape cubic --transfer consistent --points gauss" "--scheme usl" "--scheme usf" "--scheme musl" \

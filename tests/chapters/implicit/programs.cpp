@@ -89,6 +89,7 @@ TEST(ImplicitPrograms, RefuseWhatCannotBe) {
     }
     EXPECT_EQ(folder.run("implicit_rolling_disk", {"--cells", "50"}).code, 2);
     EXPECT_EQ(folder.run("implicit_cantilever", {"--ppc", "3"}).code, 2);
+    EXPECT_EQ(folder.run("implicit_cantilever", {"--cells", "100000"}).code, 2);  // 4e10 nodes
 }
 
 }  // namespace
