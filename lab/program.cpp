@@ -1,6 +1,7 @@
 #include "lab/program.hpp"
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <new>
@@ -34,6 +35,14 @@ RunPlan plan_of(const Common& c, const Assembled& a, const std::string& folder, 
     plan.folder = folder;
     plan.columns = columns;
     return plan;
+}
+
+/// How much longer a step takes by a transfer that maps to the grid and back `order` times (XPIC, FMPM): a third for each.
+double repeated_mapping(const Options& options) {
+    static const std::string name = "order=";
+    const std::string changed = options.changed();
+    const std::size_t at = changed.find(name);
+    return at == std::string::npos ? 1 : 1 + std::atof(changed.c_str() + at + name.size()) / 3;
 }
 
 /// Events that are legal but should be rare are counted and said.
@@ -213,7 +222,8 @@ struct Report {
             const Assembled a = assemble(cells);
             const RunPlan plan = plan_of(c, a, folder, about.columns);
             if (!say) continue;
-            const double particle_steps = static_cast<double>(plan.steps) * static_cast<double>(a.row.particles);
+            const double particle_steps =
+                static_cast<double>(plan.steps) * static_cast<double>(a.row.particles) * repeated_mapping(options);
             std::printf(
                 "%d cells: %s = %.4g; dt = %.4g, %ld steps, %ld particles, about %.2g MB and %.2g s\n", cells,
                 c.limit.c_str(), a.critical_dt, plan.dt, plan.steps, a.row.particles,

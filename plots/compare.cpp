@@ -14,7 +14,7 @@ using namespace mpm;
 
 struct Settings {
     std::vector<int> cells{25, 50, 100};
-    std::string error, history, out, label, plot = "png", programs, collect;
+    std::string error, error_label, title, clock = "wall", history, out, label, plot = "png", programs, collect;
     int history_cells = 0, jobs = 1;
     double timeout = 0;
     bool fresh = false, list = false, quiet = false;
@@ -22,6 +22,9 @@ struct Settings {
     void declare(Options& o) {
         o.integers("cells", cells, "cells", between(1, 1000000), "resolutions at which each variant is run");
         o.text("error", error, "the error_name to look at; empty: the first that a run reports");
+        o.text("error-label", error_label, "what the error is and its unit, for the figures; empty: its name");
+        o.text("title", title, "of the figures; empty: the scene and the options that all variants share");
+        o.choice("clock", clock, {"wall", "cpu"}, "seconds of the method by the clock on the wall or of the processor");
         o.text("history", history, "column of history.csv to draw of each variant, e.g. v_cm");
         o.integer("history-cells", history_cells, "cells", between(0, 1000000),
                   "resolution of these histories; 0: the finest of each variant");
@@ -60,8 +63,9 @@ void show(const Settings& s, const std::string& folder, const std::vector<Run>& 
     Words scenes;
     for (const StackedRow& r : rows)
         if (!r.row.scene.empty() && std::find(scenes.begin(), scenes.end(), r.row.scene) == scenes.end()) scenes.push_back(r.row.scene);
-    Subject subject{folder, chosen_error(s, rows), joined(scenes, ", "), runs.front().shared, {}};
-    subject.series = series(runs, rows, subject.error);
+    Subject subject{folder, chosen_error(s, rows), joined(scenes, ", "), runs.front().shared, {}, s.title, s.error_label,
+                    s.clock == "cpu"};
+    subject.series = series(runs, rows, subject.error, subject.cpu);
     if (!s.quiet) std::printf("%s%s", comparison_table(subject.series, subject.error).c_str(), reached_lines(subject.series).c_str());
     std::vector<std::string> names = write_error_figures(subject, files);
     if (!s.history.empty()) names.push_back(write_history_figure(subject, s.history, s.history_cells, files));

@@ -10,6 +10,8 @@ namespace mpm {
 struct Subject {
     std::string folder, error, scene, shared;  // of the sweep; the error looked at; the scene and the options that all have in common
     std::vector<Series> series;
+    std::string title = {}, error_label = {};  // of the figures; empty: made of the scene, and of the error's name
+    bool cpu = false;                          // the seconds of the series are CPU seconds
 };
 
 /// errors.csv (what the figures show) with work_precision.gp and convergence.gp. Returns the names of the figures to draw; none where no

@@ -13,26 +13,6 @@ namespace mpm {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* style = R"(
-body { font: 17px/1.45 Georgia, serif; max-width: 62em; margin: 2em auto; padding: 0 1em; color: #111; background: #fff; }
-h1, h2 { font-weight: normal; }
-nav a { margin-right: 1.2em; }
-figure { margin: 2em 0; break-inside: avoid; }
-img { max-width: 100%; height: auto; }
-img.half { max-width: 49%; }
-figcaption { margin: .4em 0; }
-table { border-collapse: collapse; font: 13px/1.35 monospace; width: 100%; }
-th, td { border-bottom: 1px solid #ccc; padding: .1em .5em; text-align: left; vertical-align: top; overflow-wrap: anywhere; }
-.number { text-align: right; white-space: nowrap; }
-.bad { color: #b03000; }
-@media print {
-  body { font-size: 11pt; max-width: none; margin: 0; }
-  nav { display: none; }
-  h2 { break-before: page; }
-  a { color: inherit; }
-}
-)";
-
 std::string trimmed(const std::string& text) {
     const std::size_t from = text.find_first_not_of(" \t\r");
     return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(" \t\r") - from + 1);
@@ -127,14 +107,13 @@ void write_gallery(const std::string& plots, const std::string& figures) {
     std::vector<GalleryChapter> chapters = read_gallery(plots + "/gallery.txt");
     check_all_listed(plots, chapters);
     std::string page =
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>MPM Lab: the gallery</title>\n<style>";
-    page += std::string(style) +
-            "</style>\n</head>\n<body>\n<h1>MPM Lab: the gallery</h1>\n<p>Every figure, the commands that made its data, and the error and "
-            "run time of the finest resolution. A script draws its figure again: <code>gnuplot name.gp</code> in this folder.</p>\n<nav>\n";
+        "<h1>MPM Lab: the gallery</h1>\n<p>Every figure, the commands that made its data, and the error and run time of the finest "
+        "resolution. A script draws its figure again: <code>gnuplot name.gp</code> in this folder. Which variant is the best for a "
+        "problem: "
+        "<a href=\"findings.html\">what to use when</a>.</p>\n<nav>\n";
     for (std::size_t c = 0; c < chapters.size(); ++c)
         page += "<a href=\"#chapter-" + std::to_string(c + 1) + "\">" + html(chapters[c].title) + "</a>\n";
-    const std::string found = findings_html(figures);
-    page += (found.empty() ? "" : "<a href=\"#findings\">What to use when</a>\n") + std::string("</nav>\n") + found;
+    page += "<a href=\"findings.html\">What to use when</a>\n</nav>\n";
     for (std::size_t c = 0; c < chapters.size(); ++c) {
         page += "<h2 id=\"chapter-" + std::to_string(c + 1) + "\">" + html(chapters[c].title) + "</h2>\n";
         for (GalleryFigure& figure : chapters[c].figures) {
@@ -142,11 +121,8 @@ void write_gallery(const std::string& plots, const std::string& figures) {
             page += figure_html(figures, figure);
         }
     }
-    page += "</body>\n</html>\n";
-    std::ofstream file(figures + "/index.html", std::ios::binary);
-    file << page;
-    file.close();
-    if (!file) throw FileTrouble("cannot write " + figures + "/index.html");
+    write_findings(plots + "/../chapters", figures);
+    write_page(figures + "/index.html", "MPM Lab: the gallery", page);
 }
 
 }  // namespace mpm

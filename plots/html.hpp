@@ -26,4 +26,7 @@ inline std::string html_cell(const std::string& text, const std::string& kind = 
     return "<td class=\"" + kind + "\">" + html(text) + "</td>";
 }
 
+/// Writes a page around `body`. Throws FileTrouble.
+void write_page(const std::string& path, const std::string& title, const std::string& body);
+
 }  // namespace mpm

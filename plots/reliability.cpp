@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <regex>
 #include <sstream>
 
 #include "lab/csv_read.hpp"
@@ -29,7 +28,8 @@ struct Settings {
     bool quiet = false;
 
     void declare(Options& o) {
-        o.integer("runs", runs, "-", at_least(1), "right settings for each program, as many wrong ones, and a tenth as many stopped runs");
+        o.integer("runs", runs, "-", at_least(1),
+                  "right settings for each program, as many wrong ones, a tenth as many stopped runs, a twentieth on a full disk");
         o.integer("seed", seed, "-", at_least(0), "of the random numbers");
         o.number("seconds", seconds, "s", above(0), "settings for which --dry-run estimates more are not run");
         o.number("timeout", timeout, "s", above(0), "a run that takes longer is a failure");
@@ -47,6 +47,8 @@ struct Tried {
 
 /// One program under test, and where its runs go.
 class Trial {
+    static constexpr double patience = 2;  // seconds; what takes longer without telling so before is not tried
+
 public:
     Trial(const Settings& s, Programs& programs, const std::string& name)
         : s_(s),
@@ -64,29 +66,29 @@ public:
             Words words = random_settings(options_, random_);
             if (!dry_) return words;
             words.push_back("--dry-run");
-            const Tried asked = run(words, s_.timeout);
+            const Tried asked = run(words, patience);
             words.pop_back();
+            if (asked.end.timed_out) continue;                            // it is far from short
             if (asked.end.code == 2 && one_line_of(asked.err)) continue;  // they do not go together
             if (asked.end.code == 0 && asked.end.usable() && estimate(asked.out) > s_.seconds) continue;
             return words;
         }
         return {"--help"};
     }
+    double limit() const { return dry_ ? s_.timeout : std::min(s_.timeout, patience); }
     /// Programs without --dry-run say only when they run that settings do not go together, and never how long they would take.
     bool may_refuse(const Tried& t) const { return !dry_ && (t.end.timed_out || (t.end.code == 2 && one_line_of(t.err))); }
     Words wrong() { return wrong_settings(options_, random_); }
     double moment() { return std::uniform_real_distribution<double>(0.005, 0.25)(random_); }
 
-    Tried run(Words words, double timeout) {
-        Tried t;
-        t.files = folder_ + "/run";
-        fs::remove_all(t.files);
-        if (accepts("out")) words.insert(words.end(), {"--out", t.files});
-        t.end = run_process({path_, words}, folder_ + "/output", folder_ + "/errors", timeout);
-        t.out = read_file(folder_ + "/output");
-        t.err = read_file(folder_ + "/errors");
-        return t;
+    Tried run(Words words, double timeout) { return run(Command{path_, {}}, std::move(words), folder_ + "/run", timeout); }
+    /// With no more than 2 kB for each file, which is to a program as a disk that gets full.
+    Tried on_a_full_disk(Words words, double timeout) {
+        return run(Command{"/bin/sh", {"-c", "trap '' XFSZ; ulimit -f 4; exec \"$0\" \"$@\"", path_}}, std::move(words), folder_ + "/run",
+                   timeout);
     }
+    /// Into a folder that cannot be made, whoever asks: its parent is a file.
+    Tried into_no_folder(Words words, double timeout) { return run(Command{path_, {}}, std::move(words), path_ + "/run", timeout); }
     /// Keeps what a failed run wrote, for a look at it.
     void keep(int number) const {
         if (fs::exists(folder_ + "/run")) fs::rename(folder_ + "/run", folder_ + "/failed-" + std::to_string(number));
@@ -97,15 +99,30 @@ public:
     }
     static bool one_line_of(const std::string& text) { return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1; }
 
-private:
     bool accepts(const std::string& name) const {
         return std::any_of(options_.begin(), options_.end(), [&](const DescribedOption& o) { return o.name == name; });
     }
+
+private:
+    Tried run(Command command, Words words, const std::string& files, double timeout) {
+        Tried t;
+        t.files = files;
+        if (fs::is_directory(files)) fs::remove_all(files);
+        if (accepts("out")) words.insert(words.end(), {"--out", files});
+        command.words.insert(command.words.end(), words.begin(), words.end());
+        t.end = run_process(command, folder_ + "/output", folder_ + "/errors", timeout);
+        t.out = read_file(folder_ + "/output");
+        t.err = read_file(folder_ + "/errors");
+        return t;
+    }
+
+    /// The seconds that --dry-run tells, "about 5 MB and 0.3 s", of all resolutions.
     static double estimate(const std::string& said) {
-        static const std::regex number("and ([0-9.e+-]+) s");
-        double worst = 0;
-        for (std::sregex_iterator it(said.begin(), said.end(), number), end; it != end; ++it) worst += std::atof((*it)[1].str().c_str());
-        return worst;
+        static const std::string before = " MB and ";
+        double sum = 0;
+        for (std::size_t at = said.find(before); at != std::string::npos; at = said.find(before, at + 1))
+            sum += std::atof(said.c_str() + at + before.size());
+        return sum;
     }
 
     const Settings& s_;
@@ -157,6 +174,18 @@ std::string judge_wrong(const Tried& t) {
     return fs::exists(t.files) ? "wrote files" : "";
 }
 
+/// Files that cannot be written: exit 1 and a line that says which. Those that all fit are no trouble.
+std::string judge_full(const Tried& t) {
+    if (t.end.usable()) return unreadable(t.files);
+    if (t.end.timed_out || t.end.signal != 0 || t.end.code != 1) return t.end.trouble();
+    return Trial::one_line_of(t.err) ? unreadable(t.files) : "not one line on stderr";
+}
+std::string judge_no_folder(const Tried& t) {
+    if (t.end.signal != 0 || t.end.timed_out) return t.end.trouble();
+    if (t.end.code != 1) return "ended with exit " + std::to_string(t.end.code) + ", not with exit 1";
+    return Trial::one_line_of(t.err) ? "" : "not one line on stderr";
+}
+
 class Sweep {
 public:
     explicit Sweep(const Settings& s)
@@ -164,12 +193,13 @@ public:
 
     void program(Programs& programs, const std::string& name) {
         Trial trial(s_, programs, name);
-        const int before = failures_;
-        for (int i = 0; i < s_.runs && !interrupted(); ++i) {
+        const int before = failures_, earlier = tried_;
+        for (int i = 0, tried = 0; tried < s_.runs && i < 4 * s_.runs && !interrupted(); ++i) {
             const Words words = trial.right();
-            const Tried t = trial.run(words, s_.timeout);
+            const Tried t = trial.run(words, trial.limit());
             if (trial.may_refuse(t)) continue;
             tell(trial, name, "right", words, t, judge(t));
+            ++tried;
         }
         for (int i = 0; i < s_.runs && !interrupted(); ++i) {
             const Words words = trial.wrong();
@@ -181,8 +211,15 @@ public:
             const Tried t = trial.run(words, trial.moment());
             tell(trial, name, "stopped", words, t, unreadable(t.files));
         }
+        for (int i = 0; i < (s_.runs + 19) / 20 && trial.accepts("out") && !interrupted(); ++i) {
+            const Words words = trial.right();
+            const Tried full = trial.on_a_full_disk(words, trial.limit()), none = trial.into_no_folder(words, trial.limit());
+            if (trial.may_refuse(none) || trial.may_refuse(full)) continue;
+            tell(trial, name, "full disk", words, full, judge_full(full));
+            tell(trial, name, "no folder", words, none, judge_no_folder(none));
+        }
         trial.clean();
-        if (!s_.quiet) std::printf("%-24s %d failures\n", name.c_str(), failures_ - before), std::fflush(stdout);
+        if (!s_.quiet) std::printf("%-24s %d of %d runs failed\n", name.c_str(), failures_ - before, tried_ - earlier), std::fflush(stdout);
     }
     int failures() const { return failures_; }
 
@@ -190,6 +227,7 @@ private:
     void tell(const Trial& trial, const std::string& name, const char* kind, const Words& words, const Tried& t,
               const std::string& failure) {
         if (t.end.stopped) return;
+        ++tried_;
         csv_.row({name, kind, joined(words, " "), std::to_string(t.end.code), number_text(t.end.wall_s), failure.empty() ? "ok" : failure});
         if (failure.empty()) return;
         trial.keep(++failures_);
@@ -198,7 +236,7 @@ private:
 
     const Settings& s_;
     CsvFile csv_;
-    int failures_ = 0;
+    int failures_ = 0, tried_ = 0;
 };
 
 }  // namespace

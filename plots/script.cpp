@@ -25,6 +25,8 @@ std::string tic(int factor, int decade, bool powers) {
     return formula(text, latex);
 }
 
+constexpr std::size_t letters_of_half = 34;  // that half the width of a figure takes
+
 std::string range(char axis, double low, double high) {
     return std::string("set logscale ") + axis + "\nset " + axis + "range [" + number_text(low) + ":" + number_text(high) + "]\n";
 }
@@ -64,15 +66,22 @@ std::string script_head(const std::string& name, int width, int height, const st
            "set datafile separator ','\nset datafile missing 'nan'\nset grid lc rgb '#dddddd' lt 1 lw 1\nset title " + plain(title) + "\n";
 }
 
-std::string curve_style(std::size_t n) {
+std::string curve_style(std::size_t n, bool thin) {
     static constexpr std::array<const char*, 6> colours{"#000000", "#d55e00", "#0072b2", "#e69f00", "#009e73", "#cc79a7"};
     static constexpr std::array<const char*, 5> dashes{"solid", "(20,8)", "(4,6)", "(36,8)", "(20,7,4,7)"};
     static constexpr std::array<int, 7> markers{7, 4, 9, 12, 5, 6, 11};  // filled and open by turns
-    return "lw 2.5 dt " + std::string(dashes[n % dashes.size()]) + " pt " + std::to_string(markers[n % markers.size()]) +
-           " ps 1.7 lc rgb '" + colours[n % colours.size()] + "'";
+    return std::string(thin ? "lw 1.2" : "lw 2.5") + " dt " + dashes[n % dashes.size()] + " pt " +
+           std::to_string(markers[n % markers.size()]) + (thin ? " ps 1.2" : " ps 1.7") + " lc rgb '" + colours[n % colours.size()] + "'";
 }
 
 int legend_height(std::size_t entries) { return 28 * static_cast<int>(entries) + 30; }
+
+std::string legend_of(const std::vector<std::string>& names, std::size_t& lines) {
+    const bool two =
+        names.size() > 6 && std::all_of(names.begin(), names.end(), [](const auto& name) { return name.size() <= letters_of_half; });
+    lines = two ? (names.size() + 1) / 2 : names.size();
+    return "set key below left Left reverse vertical height 0.6 samplen 3 maxrows " + std::to_string(lines) + "\n";
+}
 
 std::string log_axis(char axis, double low, double high) {
     const double first = low / 1.35, last = high * 1.35;

@@ -6,14 +6,14 @@
 #include <limits>
 
 #include "lab/record.hpp"
+#include "plots/pareto.hpp"
 
 namespace mpm {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
+template <class... Values> std::string text(const char* format, Values... values) {
     char line[400];
     std::snprintf(line, sizeof line, format, values...);
     return line;
@@ -86,7 +86,7 @@ const Result* Series::reached(double error) const {
     return best;
 }
 
-std::vector<Series> series(const std::vector<Run>& runs, const std::vector<StackedRow>& rows, const std::string& error) {
+std::vector<Series> series(const std::vector<Run>& runs, const std::vector<StackedRow>& rows, const std::string& error, bool cpu) {
     std::vector<Series> all;
     for (const Run& run : runs) {
         const auto variant = static_cast<std::size_t>(run.variant);
@@ -97,10 +97,17 @@ std::vector<Series> series(const std::vector<Run>& runs, const std::vector<Stack
             if (r.variant == run.variant && r.row.cells == run.cells && (found == nullptr || r.row.error_name == error)) found = &r.row;
         if (found == nullptr) continue;
         const bool has = found->error_name == error;
-        all[variant].results.push_back({run.cells, found->h, has ? found->error : nan, has ? found->order : nan, found->wall_s,
-                                        found->peak_rss_kb, found->verdict, found->reason, run.program, run.folder});
+        all[variant].results.push_back({run.cells, found->h, has ? found->error : nan, has ? found->order : nan,
+                                        cpu ? found->cpu_s : found->wall_s, found->peak_rss_kb, found->verdict, found->reason, run.program,
+                                        run.folder});
     }
     return all;
+}
+
+bool unbeaten(const Result& one, const std::vector<Series>& all) {
+    const auto better = [&](const Result& other) { return other.fits() && beats({other.error, other.seconds}, {one.error, one.seconds}); };
+    return one.fits() &&
+           std::none_of(all.begin(), all.end(), [&](const Series& s) { return std::any_of(s.results.begin(), s.results.end(), better); });
 }
 
 double fitted_order(const std::vector<std::pair<double, double>>& h_and_error) {

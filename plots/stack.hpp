@@ -37,7 +37,11 @@ struct Series {
     double order() const;                       // fitted to those that fit; nan with fewer than two
     const Result* reached(double error) const;  // the fastest that is as good, if any
 };
-std::vector<Series> series(const std::vector<Run>& runs, const std::vector<StackedRow>& rows, const std::string& error);
+/// `cpu`: the seconds are CPU seconds of the method, which other work on the machine does not stretch, else those of the clock on the wall.
+std::vector<Series> series(const std::vector<Run>& runs, const std::vector<StackedRow>& rows, const std::string& error, bool cpu = false);
+
+/// Whether no run beats this one (plots/pareto.hpp).
+bool unbeaten(const Result& one, const std::vector<Series>& all);
 
 /// The slope of log(error) over log(h) by least squares; nan if there is none.
 double fitted_order(const std::vector<std::pair<double, double>>& h_and_error);

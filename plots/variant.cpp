@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr double patience = 30;  // seconds for a program to describe itself
-constexpr std::size_t longest_name = 44;
+constexpr std::size_t longest_name = 52;
 
 Words lines(const std::string& text) {
     Words all;
@@ -120,7 +120,7 @@ Words short_names(const std::vector<Variant>& variants, std::string& shared) {
                one_program = several && std::all_of(variants.begin(), variants.end(), [&](const Variant&v) {
                                  return v.program == variants.front().program && !std::all_of(v.settings.begin(), v.settings.end(), common);
                              });
-    const Words plain{"scheme", "shape", "transfer", "law", "case"};  // whose values speak for themselves
+    const Words plain{"scheme", "shape", "transfer", "law", "case", "points"};  // whose values speak for themselves
     Words names, cut, same;
     if (one_program) same.push_back(variants.front().program);
     for (const Variant& v : variants) {

@@ -2,7 +2,7 @@
 # implicit beside explicit. An unstable run is a row (exit code 3).
 compared() { run "$@" || [ $? -eq 3 ]; }
 segment() { printf ' -- mms_segment --G 0.05 --ppc 2 --repeat 5 %s' "$*"; }
-compared segment compare --cells 8,16,32,64,128 --fresh $(
+compared segment compare --cells 8,16,32,64,128 --clock cpu --fresh $(
     segment '--scheme fem'; segment '--scheme fem --shape lagrange'; segment '--scheme tlmpm'; segment '--scheme tlmpm --shape bernstein'
     segment '--scheme tlmpm --shape cubic'; segment '--scheme tlmpm --transfer apic'; segment '--scheme tlmpm --shape cubic --transfer fmpm --order 4'
     segment '--scheme tlmpm --shape cubic --transfer consistent --points gauss'; segment '--scheme usl'; segment '--scheme usl --shape cpgimp'
@@ -11,10 +11,10 @@ cp "$figures/data/segment/work_precision.png" "$figures/segment_work_precision.p
 cp "$figures/data/segment/convergence.png" "$figures/segment_convergence.png"
 bar() { program=$1; shift; printf ' -- %s --ppc 2 --periods 2 --repeat 3 %s' "$program" "$*"; }
 disks() { program=$1; shift; printf ' -- %s --cfl 0.2 --t-end 1.65 --records 100 %s' "$program" "$*"; }
-compared impm-bar compare --cells 16,32,64,128 --fresh $(
+compared impm-bar compare --cells 16,32,64,128 --clock cpu --fresh $(
     bar musl_bar; bar tlmpm_bar; bar tlmpm_bar --shape cubic; bar tlmpm_bar --transfer apic
     bar tlmpm_bar --shape cubic --transfer fmpm --order 4; bar impm_bar; bar impm_bar --gradient hat)
-compared impm-disks compare --cells 20,40,80 --fresh $(
+compared impm-disks compare --cells 20,40,80 --clock cpu --fresh $(
     disks two_disks; disks two_disks --shape cubic; disks two_disks --transfer apic; disks two_disks --transfer fmpm --order 4
     disks impm_disks)
 for scene in bar disks; do cp "$figures/data/impm-$scene/work_precision.png" "$figures/impm-${scene}_work_precision.png"; done

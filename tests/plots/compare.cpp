@@ -66,9 +66,28 @@ TEST(Compare, DrawsItsFigures) {
     EXPECT_EQ(ending.err, "");
     for (const char* name : {"work_precision", "convergence", "history_v_cm"})
         for (const char* end : {".gp", ".png"}) EXPECT_TRUE(fakes.has(std::string("all/") + name + end)) << name << end;
-    EXPECT_TRUE(holds(fakes.read("all/convergence.gp"), "good: order 2.00"));
-    EXPECT_TRUE(holds(fakes.read("all/convergence.gp"), "(1 of 3 runs unstable or failed)"));
+    const std::string script = fakes.read("all/convergence.gp");
+    EXPECT_TRUE(holds(script, "'good' . '}' . ': order 2.00'")) << script;  // bold: no other is as good and as fast
+    EXPECT_TRUE(holds(script, "(1 of 3 unstable: energy-growth)")) << script;
+    EXPECT_TRUE(holds(script, "(3 of 3 failed: exit 1)")) << script;
     EXPECT_TRUE(holds(fakes.read("all/history_v_cm.gp"), "v_cm_exact"));
+}
+
+TEST(Compare, ListsTheRunsThatNoneBeats) {
+    const Fakes fakes;
+    fakes.tool("compare", {"--cells", "10,20", "--out", "all", "--", "good", "--", "better"});  // each takes cells/1000 s
+    const auto table = csv(fakes.read("all/front.csv"));
+    ASSERT_EQ(table.size(), 3u);
+    EXPECT_EQ(row_of(table, {"name", "cells"}, 1), (Words{"better", "10"}));
+    EXPECT_EQ(row_of(table, {"name", "cells"}, 2), (Words{"better", "20"}));
+}
+TEST(Compare, DrawsWhatItIsTold) {
+    const Fakes fakes;
+    fakes.tool("compare",
+               {"--cells", "10,20", "--title", "Both", "--error-label", "miss [-]", "--clock", "cpu", "--out", "all", "--", "good"});
+    const std::string script = fakes.read("all/work_precision.gp");
+    for (const char* text : {"set title 'Both'", "'miss [-]'", "CPU time of the method [s]; marks: 10, 20 cells"})
+        EXPECT_TRUE(holds(script, text)) << text;
 }
 
 TEST(CompareBadRuns, AreRowsAndDoNotStopTheSweep) {

@@ -10,12 +10,15 @@
 
 #include "lab/options.hpp"
 #include "plots/findings.hpp"
+#include "plots/notes.hpp"
 #include "tests/programs/process.hpp"
 
 namespace mpm::test {
 namespace {
 
 const std::string columns = "program,case,scheme,shape,transfer,options,cells,error_name,error,order,wall_s,verdict\n";
+
+const std::string errors = "name,cells,error,seconds,verdict\n";
 
 struct Drawn {
     Folder folder;
@@ -34,8 +37,12 @@ struct Drawn {
               columns + "bar,b,usl,hat,flip,,8,e1,1e-2,nan,.1,ok\nbar,b,usl,hat,flip,mode=2;cells=8,8,e1,nan,nan,.1,unstable:energy\n");
         write("figures/data/still/command", "bar --dt 0\n");
         write("figures/data/still/history.csv", "t\n0\n");
-        write("figures/data/atlas-bar/title", "The bar\ne2\n");
-        write("figures/data/atlas-bar/compare.csv", columns + "bar,b,usl,hat,flip,,8,e2,1e-2,nan,.1,ok\n");
+        write("figures/data/atlas-bar/title", "The bar\ne2\nVibration\n");
+        write("figures/data/atlas-bar/compare.csv", columns);
+        write("figures/data/atlas-bar/work_precision.png", "");
+        write("figures/data/atlas-bar/errors.csv", errors + "usl,8,9e-3,.1,ok\nusf,8,nan,.1,unstable:energy-growth\n");
+        write("chapters/bars/notes.md",
+              "# Bars & beams\n\nText with `a < b`\nand **bold**.\n\n- one\n  and more\n- two\n\n| a | b |\n|---|---|\n| 1 | |\n");
         write("figures/data/a-mesh/command", "fill\n");
         write("figures/data/a-mesh/mesh.gp", "");
     }
@@ -95,19 +102,43 @@ TEST(Gallery, TellsTheFinestOfEachRun) {
 
 TEST(Findings, TellWhoIsBeatenByNobodyAndWhenALevelIsReached) {
     const std::string rows =
-        "fast,b,usl,hat,flip,cells=8,8,e2,9e-3,nan,.1,ok\nfast,b,usl,hat,flip,cells=16,16,e2,2e-3,2,.2,ok\n"
-        "good,b,usl,hat,flip,cells=8,8,e2,5e-5,nan,1,ok\nslow,b,usl,hat,flip,cells=8,8,e2,6e-5,nan,2,ok\n"
-        "slow,b,usl,hat,flip,cells=16,16,e2,1e-9,nan,.01,unstable:energy\n";
-    const std::vector<Finding> found = findings(parse_csv(columns + rows, "test"), "e2");
-    ASSERT_EQ(found.size(), 3u);
-    EXPECT_EQ(found[0].command, "good");
-    EXPECT_EQ(found[1].command, "fast");
-    EXPECT_TRUE(found[0].best && found[1].best && !found[2].best);
-    EXPECT_EQ(found[1].reached[0], 0.1);
-    EXPECT_TRUE(std::isnan(found[1].reached[1]));
-    EXPECT_EQ(found[0].reached[2], 1);
-    EXPECT_EQ(found[2].trouble, "unstable:energy");
-    EXPECT_EQ(found[2].error, 6e-5);
+        "fast,8,9e-3,.1,ok\nfast,16,2e-3,.2,ok\ngood,8,5e-5,1,ok\nslow,8,6e-5,2,ok\nslow,16,1e-9,.01,unstable:energy\nsame,8,9.01e-3,.05,"
+        "ok\n";
+    const std::vector<Finding> found = findings(parse_csv(errors + rows, "test"));
+    ASSERT_EQ(found.size(), 4u);
+    EXPECT_EQ(found[0].name, "good");
+    EXPECT_EQ(found[1].name, "fast");
+    EXPECT_TRUE(found[0].best && found[1].best && found[2].best && !found[3].best);
+    EXPECT_EQ(found[1].levels[0].seconds, 0.1);
+    EXPECT_TRUE(std::isnan(found[1].levels[1].seconds));
+    EXPECT_EQ(found[0].levels[2].seconds, 1);
+    EXPECT_EQ(found[3].trouble, "1 of 2 runs unstable:energy");
+    EXPECT_EQ(found[3].finest.error, 6e-5);
+    EXPECT_EQ(found[3].finest.cells, 8);
+}
+TEST(Findings, TakeTheLessCostlyOfTwoThatAreEqual) {
+    // One row is as good to less than a per cent and twice as fast: it is the one to use.
+    const std::vector<Finding> found = findings(parse_csv(errors + "slow,8,1e-3,.2,ok\nfast,8,1.005e-3,.1,ok\n", "test"));
+    EXPECT_EQ(found[0].name, "fast");
+    EXPECT_FALSE(found[1].best);
+}
+TEST(Findings, AreAPageOfCasesAndNotes) {
+    const Drawn drawn;
+    drawn.page();
+    const std::string page = drawn.folder.read("figures/findings.html");
+    expect_all_there(page, drawn.folder.path("figures"));
+    expect_valid(drawn.folder.path("figures/findings.html"));
+    EXPECT_TRUE(holds(page, "<b>usl</b><br>0.1 s, 8 cells")) << page;
+    EXPECT_TRUE(holds(page, "usf: 1 of 1 runs unstable:energy-growth")) << page;
+    EXPECT_TRUE(holds(page, "id=\"notes-bars\"")) << page;
+}
+
+TEST(Notes, AreHeadingsParagraphsListsAndTables) {
+    EXPECT_EQ(notes_html("# A & B\n\nIn `a < b`\nand **`c`**.\n## C\n"),
+              "<h3>A &amp; B</h3>\n<p>In <code>a &lt; b</code> and <b><code>c</code></b>.</p>\n<h4>C</h4>\n");
+    EXPECT_EQ(notes_html("- one\n  more\n- two\n\ntext"), "<ul><li>one more</li>\n<li>two</li></ul>\n<p>text</p>\n");
+    EXPECT_EQ(notes_html("Text:\n| a | b |\n|---|---|\n| 1 | |\n"),
+              "<p>Text:</p>\n<table><tr><th>a</th><th>b</th></tr>\n<tr><td>1</td><td></td></tr>\n</table>\n");
 }
 
 TEST(Gallery, ReadsCaptionAndRunsOfARecipe) {
@@ -133,7 +164,7 @@ TEST(Gallery, MissesARecipeInTheList) {
     EXPECT_THROW(drawn.page(), FileTrouble);
 }
 
-// The page that `make figures` has drawn, if it has.
+// The pages that `make figures` has drawn, if it has.
 TEST(Gallery, OfTheProjectIsWhole) {
     const std::string folder = std::string(MPM_BUILD_DIR) + "/../figures";
     if (!std::filesystem::exists(folder + "/index.html")) GTEST_SKIP() << "make figures has not been run";
@@ -145,6 +176,9 @@ TEST(Gallery, OfTheProjectIsWhole) {
             EXPECT_TRUE(holds(page, "src=\"" + entry.path().filename().string() + "\"")) << entry.path();
         }
     expect_valid(folder + "/index.html");
+    std::ifstream other(folder + "/findings.html");
+    expect_all_there({std::istreambuf_iterator<char>(other), {}}, folder);
+    expect_valid(folder + "/findings.html");
 }
 
 }  // namespace

@@ -55,6 +55,12 @@ TEST(Reliability, NoticesARunWithoutEnd) { EXPECT_EQ(results(Fakes(), "hangs", "
 TEST(Reliability, NoticesASummaryOfAnotherKind) {
     EXPECT_EQ(results(Fakes(), "strange", "right"), Words(3, "summary.csv has no column verdict"));
 }
+TEST(Reliability, NoticesThatAFullDiskIsNotNoticed) {
+    EXPECT_EQ(results(Fakes(), "crashes", "full disk"), Words{"failed:signal 11"});
+    EXPECT_EQ(results(Fakes(), "fails", "full disk"), Words{"not one line on stderr"});
+    EXPECT_EQ(results(Fakes(), "fails", "no folder"), Words{"not one line on stderr"});
+    EXPECT_EQ(results(Fakes(), "good", "no folder"), Words{"ended with exit 0, not with exit 1"});
+}
 TEST(Reliability, EndsWithThreeAfterAFailure) {
     const Fakes fakes;
     EXPECT_EQ(fakes.run("reliability", {"--programs", "bin", "--runs", "1", "--only", "crashes"}).code, 3);

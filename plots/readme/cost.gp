@@ -1,0 +1,22 @@
+# Error against run time: the manufactured segment. Drawn in a folder of figures.
+load 'style.gnuplot'
+set terminal pngcairo size 640,520 font ',19'
+set output 'readme_cost.png'
+set title 'A segment stretched by 5 %: error and cost'
+set xlabel 'CPU time [s]' offset 0,0.3
+set ylabel 'relative error [-]'
+set logscale
+set format '10^{%T}'
+set xrange [1e-4:0.1]
+set yrange [1e-6:2]
+set ytics 100
+set key below vertical maxrows 3 samplen 2 Left reverse
+# Variants by their numbers in plots/runs/compared.sh.
+who(number) = column('variant') == number ? column('seconds') : NaN
+csv = 'data/segment/errors.csv'
+plot 'data/segment/front.csv' using (column('seconds')):(column('error')) with lines lw 14 lc rgb '#dcdcdc' title 'beaten by none', \
+     csv using (who(9)):(column('error')) with linespoints lt 2 pt 8 ps 1.3 title 'USL, hat', \
+     csv using (who(10)):(column('error')) with linespoints lt 4 pt 4 ps 1.3 title 'USL, cpGIMP', \
+     csv using (who(3)):(column('error')) with linespoints lt 3 pt 6 ps 1.3 title 'TLMPM, hat', \
+     csv using (who(1)):(column('error')) with linespoints lt 1 pt 5 ps 1.1 title 'finite elements', \
+     csv using (who(8)):(column('error')) with linespoints lt 6 pt 7 ps 1.3 title 'TLMPM, consistent'
