@@ -58,9 +58,10 @@ std::string write_script(const std::string& folder, const std::string& name, con
             Gnuplot gp(">" + part);
             body(gp);
             if (gp.flush()) return 0;
-        } catch (const std::ios_base::failure&) {  // the file could not be opened; errno says why
+            return errno != 0 ? errno : EIO;  // before gp goes, which closes what has failed and says something else
+        } catch (const std::ios_base::failure&) {  // the file could not be opened
+            return errno != 0 ? errno : EIO;
         }
-        return errno != 0 ? errno : EIO;
     });
     return path;
 }

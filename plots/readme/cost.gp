@@ -2,19 +2,19 @@
 load 'style.gnuplot'
 set terminal pngcairo size 640,520 font ',19'
 set output 'readme_cost.png'
-set title 'A segment stretched by 5 %: error and cost'
+set title 'Error and cost: a segment'
 set xlabel 'CPU time [s]' offset 0,0.3
-set ylabel 'relative error [-]'
+set ylabel 'rms error e1 [length]'
 set logscale
 set format '10^{%T}'
-set xrange [1e-4:0.1]
-set yrange [1e-6:2]
+set xrange [1e-4:0.2]
+set yrange [1e-7:0.1]
 set ytics 100
-set key below vertical maxrows 3 samplen 2 Left reverse
+set key below vertical maxrows 3 samplen 1.5 width -2 Left reverse font ',17'
 # Variants by their numbers in plots/runs/compared.sh.
 who(number) = column('variant') == number ? column('seconds') : NaN
 csv = 'data/segment/errors.csv'
-plot 'data/segment/front.csv' using (column('seconds')):(column('error')) with lines lw 14 lc rgb '#dcdcdc' title 'beaten by none', \
+plot 'data/segment/front.csv' using (column('seconds')):(column('error')) with lines lw 10 lc rgb '#dcdcdc' title 'beaten by none', \
      csv using (who(9)):(column('error')) with linespoints lt 2 pt 8 ps 1.3 title 'USL, hat', \
      csv using (who(10)):(column('error')) with linespoints lt 4 pt 4 ps 1.3 title 'USL, cpGIMP', \
      csv using (who(3)):(column('error')) with linespoints lt 3 pt 6 ps 1.3 title 'TLMPM, hat', \

@@ -8,7 +8,7 @@ unset grid
 set size ratio -1
 set xrange [0:6]
 set yrange [0:4.5]
-set xtics ('0' 0, '2' 2, '4' 4) out nomirror
+set xtics out nomirror
 set ytics 2 out nomirror
 set cbrange [0:8]
 set palette defined (0 '#deebf7', 0.25 '#9ecae1', 0.5 '#4292c6', 0.75 '#08519c', 1 '#08204d')
@@ -24,7 +24,7 @@ do for [k = 1:4] {
     set label 1 sprintf('t = %.2f s', 0.02 * frame[k]) at 5.8,3.9 right font ',16'
     set xlabel row == 1 ? 'x [m]' : '' offset 0,0.5
     set ylabel k % 2 == 1 ? 'y [m]' : '' offset 0.5,0
-    set format x row == 1 ? '%g' : ''
+    if (row == 1) { set xtics ('0' 0, '2' 2, '4' 4) } else { set xtics ('' 0, '' 2, '' 4) }
     set format y k % 2 == 1 ? '%g' : ''
     if (k == 4) { set colorbox user origin 0.865,0.15 size 0.025,0.72 } else { unset colorbox }
     plot sprintf('data/dam/particles_%04d.csv', frame[k]) using (column('x')):(column('y')):(column('speed')) with points pt 5 ps 0.35 lc palette
