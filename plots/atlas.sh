@@ -35,7 +35,7 @@ atlas cantilever "$solids" "Swinging cantilever of 2807 particles, implicit, aga
 atlas stiff-bar "$solids" "A bar whose outer half is 1e4 times stiffer, one period" frequency "relative error of the frequency [-]" 8,16,32,64 8,16 \
     "$(each "" "contrast_bar --scheme musl --contrast 1e4 --cfl 0.5" "contrast_bar --scheme tlmpm --contrast 1e4 --cfl 0.5" \
         "implicit_contrast_bar --contrast 1e4 --steps 50" "implicit_contrast_bar --contrast 1e4 --steps 200")"
-atlas column "$solids" "A column, loaded in a second, comes to rest" u_static "error of the end's displacement over its own [-]" 5,10,20,40 5,10,20 \
+atlas column "$solids" "A column, loaded in a second, comes to rest" u_static "relative error of the end's displacement [-]" 5,10,20,40 5,10,20 \
     "$(each "" "resting_column --scheme musl --ramp 1" "resting_column --scheme tlmpm --ramp 1" "implicit_column --ramp 1 --dt 0.1")"
 swing="--rows 10 --layers 5 --g 0.01 --t-end 3 --reference 1.3464"
 atlas small-swing "$solids" "A short cantilever swings a little, explicit and implicit" frequency "relative error of the frequency [-]" 8,16,32 8,16 \
