@@ -11,7 +11,7 @@ run() {
 if [ $# -gt 2 ]; then . "$plots/runs/$3.sh"; exit 0; fi
 
 # One chapter a core, the longest first; then those whose times count, alone.
-printf '%s\n' vortex contact disks fluid square implicit cpdi segment improved locking thermal explicit filling weighting |
+printf '%s\n' vortex contact disks fluid square implicit coupling cpdi segment improved locking thermal explicit filling weighting |
     xargs -P "$(nproc)" -n 1 "$0" "$build" "$figures"
 for name in column compared; do "$0" "$build" "$figures" $name; done
 

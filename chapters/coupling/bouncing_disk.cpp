@@ -40,14 +40,14 @@ int run(int argc, char** argv) {
     options.number("near", near, "time", at_least(0), "time step near the plate; 0: that of the source's Table 3");
     method.declare(options, true);
     SceneTraits traits = traits_of(disk);
-    traits.limit = "the scene's step";
+    traits.limit = "--far or --near";
     common.declare(options, {QuadraticElement::name}, 1.7, traits);
     common.declare_threads(options);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
     for (const char* name : {"ppc", "dt", "dt-from"})
         if (options.given(name))
-            throw BadInput(std::string("--") + name + ": --around, --layers say how many particles there are, --far, --near how long steps are");
+            throw BadInput(std::string("--") + name + ": --around and --layers tell the particles, --far and --near the steps");
     if (!options.given("soft-some")) method.soft_some = 1e-4 * method.soft_few;  // (57), (58)
     ImplicitSettings settings = coupled_settings(method, options, common.threads);
     const bool hard = method.soft_few >= 3e-4;  // nearer to (57) than to (58)
@@ -60,7 +60,7 @@ int run(int argc, char** argv) {
         settings.receding.row = one.plate_rows(cells);
         Assembled a = assemble_implicit<QuadraticElement, FemBody>(one, settings, cells, common,
                                                                    newton_path(program, options, common, cells, method));
-        a.critical_dt = one.far;
+        a.critical_dt = std::min(one.near, one.far);
         return a;
     });
 }

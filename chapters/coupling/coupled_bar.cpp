@@ -41,7 +41,8 @@ int run(int argc, char** argv) {
     const ImplicitSettings settings = coupled_settings(method, options, 1);
     const Description about{program, purpose, bar.name, bar.solves, {bar.columns.begin(), bar.columns.end()}, 0, panels()};
     return run_program(about, options, common, [&](int cells) {
-        return assemble_implicit<LinearElement, FemBody>(bar, settings, cells, common, newton_path(program, options, common, cells, method));
+        const std::string log = newton_path(program, options, common, cells, method);
+        return assemble_implicit<LinearElement, FemBody>(bar, settings, cells, common, log);
     });
 }
 

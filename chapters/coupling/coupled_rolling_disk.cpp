@@ -1,5 +1,5 @@
-/// coupled_rolling_disk: an elastic disk of particles rolls down an elastic plate of finite elements in one implicit system (monolithic.hpp);
-/// nothing searches for contact.
+/// coupled_rolling_disk: an elastic disk of particles rolls down an elastic plate of finite elements in one implicit system
+/// (monolithic.hpp); nothing searches for contact.
 ///   ./coupled_rolling_disk --E 4.2e7 --cells 40,80 --around 150 --layers 11
 #include "chapters/coupling/coupled.hpp"
 #include "chapters/coupling/monolithic.hpp"

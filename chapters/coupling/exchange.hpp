@@ -10,10 +10,10 @@ namespace mpm {
 
 template <int D> struct Exchange {
     Vec<D> on_body = Vec<D>::Zero(), on_particles = Vec<D>::Zero();  // forces in the last step
-    double impulse = 0, unbalanced = 0;                              // sums of |impulse| at the nodes, and of what both sides do not agree on
+    double impulse = 0, unbalanced = 0;  // sums of |impulse| at the nodes, and of what both sides do not agree on
 
-    /// Residuals of both sides by component and node: at a shared node a side's residual is the force that the other one exerts on it. Nodes
-    /// that are held or that no particle reaches do not count.
+    /// Residuals of both sides by component and node: at a shared node a side's residual is the force that the other one exerts on it.
+    /// Nodes that are held or that no particle reaches do not count.
     void add(const std::vector<double>& of_particles, const std::vector<double>& of_body, const std::vector<int>& number,
              const std::vector<char>& is_body_node, double dt) {
         on_body = on_particles = Vec<D>::Zero();

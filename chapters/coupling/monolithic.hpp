@@ -21,7 +21,8 @@
 namespace mpm {
 
 /// Joins ImplicitMpm as its `Attached`. The scene tells fem_elements(grid), fem_law(), of several materials fem_material(X), also
-/// fem_body_force(t), reset_held(grid) (reset.hpp) and, if the body does not start at rest, fem_start(X, node), which sets u, v and a of a node.
+/// fem_body_force(t), reset_held(grid) (reset.hpp) and, if the body does not start at rest, fem_start(X, node), which sets u, v and a of a
+/// node.
 template <class Element, class Body> class FemBody {
 public:
     static constexpr bool any = true;
@@ -61,7 +62,8 @@ public:
     /// Whether no element of the body would be turned inside out at a Gauss point or a node.
     bool accepts(const Rectilinear<D>& grid, const std::vector<double>& u, const std::vector<int>& number) const;
     /// Moves the body by the increment u, resets the background and finds the particles in it. Returns the work of the body force.
-    double move(const Rectilinear<D>& grid, const std::vector<double>& u, const std::vector<int>& number, const std::vector<Point>& particles);
+    double move(const Rectilinear<D>& grid, const std::vector<double>& u, const std::vector<int>& number,
+                const std::vector<Point>& particles);
     Vec<D> force() const { return mass_ * step_.b; }
     Trouble trouble() const { return trouble_; }
     /// Residuals that both bodies have given to the nodes in the step.
@@ -115,7 +117,8 @@ private:
         for (int k = 0; k < N; ++k) F += node(grid.node(element, k)).u * w.grad[static_cast<std::size_t>(k)].transpose();
         return F;
     }
-    template <class Field, class Weights> Vec<D> at(const Rectilinear<D>& grid, int element, const Weights& w, Field NodeState::* field) const {
+    template <class Field, class Weights>
+    Vec<D> at(const Rectilinear<D>& grid, int element, const Weights& w, Field NodeState::* field) const {
         Vec<D> sum = Vec<D>::Zero();
         for (int k = 0; k < N; ++k) sum += w.phi[static_cast<std::size_t>(k)] * (node(grid.node(element, k)).*field);
         return sum;

@@ -138,7 +138,8 @@ void FemBody<Element, Body>::find(const Rectilinear<D>& grid, const std::vector<
     for (std::size_t i = 0; i < particles.size(); ++i) {
         Place& place = places_[i];
         if (!find_one(grid, particles[i].x, place)) {
-            if (!trouble_) trouble_ = {"tangled-background", detail::place(i, particles[i]) + " is in no element of the deformed background"};
+            const std::string who = detail::place(i, particles[i]);
+            if (!trouble_) trouble_ = {"tangled-background", who + " is in no element of the deformed background"};
         } else if (is_body_[static_cast<std::size_t>(place.element)]) {
             ++inside_;
             if (!trouble_) trouble_ = {"particle-inside-body", detail::place(i, particles[i]) + " lies in the finite element body"};

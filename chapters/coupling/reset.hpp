@@ -17,7 +17,8 @@ public:
     static constexpr int N = power(Element::count, D);
 
     /// `background` are its elements; `given` are the nodes of the body; `held`, for each component of each node.
-    void use(const Rectilinear<D>& grid, const std::vector<int>& background, const std::vector<char>& given, const std::vector<char>& held) {
+    void use(const Rectilinear<D>& grid, const std::vector<int>& background, const std::vector<char>& given,
+             const std::vector<char>& held) {
         number_.assign(held.size(), -1);
         std::vector<char> in_background(given.size(), 0);
         for (const int e : background)
@@ -61,7 +62,9 @@ public:
 
 private:
     using Matrix = Eigen::Matrix<double, N * D, N * D, Eigen::RowMajor>;
-    static std::size_t component(const Rectilinear<D>& grid, int e, int i) { return static_cast<std::size_t>(grid.node(e, i / D) * D + i % D); }
+    static std::size_t component(const Rectilinear<D>& grid, int e, int i) {
+        return static_cast<std::size_t>(grid.node(e, i / D) * D + i % D);
+    }
     struct AtBody {
         int element;
         Matrix K;

@@ -1,5 +1,5 @@
-/// What shares the grid with the particles of implicit MPM: here nothing. A finite element body that does (chapters/coupling/monolithic.hpp)
-/// tells the same.
+/// What shares the grid with the particles of implicit MPM: here nothing. A finite element body that does
+/// (chapters/coupling/monolithic.hpp) tells the same.
 #pragma once
 #include <array>
 #include <cstddef>

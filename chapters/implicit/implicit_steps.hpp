@@ -83,13 +83,14 @@ template <class Element, class Body, class Scene, class Attached> bool ImplicitM
     for (std::size_t a = 0; a < active_.elements.size(); ++a)
         if (const int e = active_.elements[a]; settings_.receding.on_face<Element>(grid_, e))
             for (std::size_t i = active_.begin[a]; i < active_.begin[a + 1]; ++i)
-                if (const std::size_t p = active_.particles[i]; attached_.recedes(settings_.receding, grid_, e, p, body_.points[p])) return true;
+                if (const auto p = active_.particles[i]; attached_.recedes(settings_.receding, grid_, e, p, body_.points[p])) return true;
     return false;
 }
 
 /// (28): r of the particles, the soft stiffness, tractions, and inactive nodes.
 template <class Element, class Body, class Scene, class Attached>
-bool ImplicitMpm<Element, Body, Scene, Attached>::residual(const std::vector<double>& u, std::vector<double>& r, double& terms, double& rounding) {
+bool ImplicitMpm<Element, Body, Scene, Attached>::residual(const std::vector<double>& u, std::vector<double>& r, double& terms,
+                                                             double& rounding) {
     constexpr double eps = 2.3e-16;  // F near 1 is known to this, so stresses to E eps
     counts_.assembly.start();
     const std::size_t count = elements();
@@ -169,7 +170,8 @@ void ImplicitMpm<Element, Body, Scene, Attached>::assemble_tangent(const std::ve
 }
 
 template <class Element, class Body, class Scene, class Attached>
-bool ImplicitMpm<Element, Body, Scene, Attached>::direction(const std::vector<double>& u, const std::vector<double>& r, std::vector<double>& du) {
+bool ImplicitMpm<Element, Body, Scene, Attached>::direction(const std::vector<double>& u, const std::vector<double>& r,
+                                                              std::vector<double>& du) {
     assemble_tangent(u);
     std::vector<double> minus_r(r.size());
     for (std::size_t i = 0; i < r.size(); ++i) minus_r[i] = -r[i];

@@ -8,8 +8,9 @@
 
 namespace mpm {
 
-/// The lower face of a row of elements along an axis: held, or that of a finite element body. The printed (47) has its weights swapped: from u' = 0 on the face, -3/2 u_1 + 2 u_8 - u_4/2 =
-/// 0, follows u_1* = (1 - C_c) u_1 + C_c (4/3 u_8 - 1/3 u_4), the middle node with 4/3. Moves away: v.n > 0 at the start of the step.
+/// The lower face of a row of elements along an axis: held, or that of a finite element body. The printed (47) has its weights swapped: from
+/// u' = 0 on the face, -3/2 u_1 + 2 u_8 - u_4/2 = 0, follows u_1* = (1 - C_c) u_1 + C_c (4/3 u_8 - 1/3 u_4), the middle node with 4/3. Moves
+/// away: v.n > 0 at the start of the step, less the face's velocity.
 struct RecedingContact {
     double C_c = 0;  // 0: held as it is ... 1: no normal strain on the face [-]
     int axis = 1;

@@ -72,7 +72,7 @@ struct BouncingDisk {
             double t, height, energy;
         };
         std::vector<Apex> all{};
-        double t = 0, v = 0, height = 0, weight = 0, lowest = 0;
+        double t = 0, v = 0, height = 0, weight = 0, lowest = std::numeric_limits<double>::infinity();
 
         void add(const State& now, double time, double energy, double g) {
             if (time == 0) weight = now.m * g, all.push_back({0, now.height, energy + weight * now.height});
@@ -83,7 +83,9 @@ struct BouncingDisk {
             }
             t = time, v = now.v, height = now.height;
         }
-        double rebound(std::size_t k) const { return k < all.size() ? all[k].height / all[0].height : std::numeric_limits<double>::quiet_NaN(); }
+        double rebound(std::size_t k) const {
+            return k < all.size() ? all[k].height / all[0].height : std::numeric_limits<double>::quiet_NaN();
+        }
         std::vector<NamedError> errors() const {
             std::vector<NamedError> e;
             for (std::size_t k = 1; k <= 5; ++k) e.push_back({"rebound_lost_" + std::to_string(k), 1 - rebound(k)});

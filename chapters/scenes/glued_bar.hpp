@@ -17,15 +17,16 @@
 
 namespace mpm {
 
-/// 0 < X < L, the joint in the middle, free ends. A pulse v0 cos^2 of half width `pulse` L starts before the joint; there it leaves R = (z_1
-/// - z_2)/(z_1 + z_2) of its velocity, T = 2 z_1/(z_1 + z_2) goes on, z = rho c. Uniaxial stress, lambda = 0; strains are v0/c. The left
+/// 0 < X < L, the joint in the middle, free ends. A pulse v0 cos^2 of half width `pulse` L starts before the joint; there it leaves R =
+/// (z_1 - z_2)/(z_1 + z_2) of its velocity, T = 2 z_1/(z_1 + z_2) goes on, z = rho c. Uniaxial stress, lambda = 0; strains are v0/c. The left
 /// bar is of finite elements, the right one of particles.
 struct GluedBar {
     static constexpr int D = 1;
     static constexpr const char* name = "glued-bar";
     static constexpr const char* solves = "a pulse crosses the joint of a bar of finite elements and a bar of particles";
     static constexpr const char* reference = "exact";
-    static constexpr std::array<const char*, 4> columns{"momentum_left", "momentum_left_exact", "momentum_right", "momentum_right_exact"};
+    static constexpr std::array<const char*, 4> columns{"momentum_left", "momentum_left_exact", "momentum_right",
+                                                              "momentum_right_exact"};
     using Law = Materials<NeoHookean>;
 
     double E = 1, rho = 1, length = 1, v0 = 1e-4, contrast = 1, rho_contrast = 1, pulse = 0.12;
