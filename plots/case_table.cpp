@@ -102,7 +102,9 @@ std::vector<CaseTable> read_case_tables(const std::string& text, const std::stri
         const std::size_t space = std::min(whole.find(' '), whole.size());
         const Line line{name + ", line " + std::to_string(number), whole.substr(0, space), split(whole.substr(space), '|')};
         if (line.keyword == "table") {
-            tables.push_back({line.field(0), line.field(1), {}, {}, {}, {}});
+            line.field(1);
+            const std::string rest = whole.substr(space);
+            tables.push_back({line.field(0), trimmed(rest.substr(rest.find('|') + 1)), {}, {}, {}, {}});  // a title may have | in it
             continue;
         }
         if (tables.empty()) throw BadInput(line.where + ": a table must begin first");

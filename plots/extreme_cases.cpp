@@ -66,7 +66,7 @@ std::string Cell::shown() const {
     }
     char text[32];
     if (kind == "limit") {
-        std::snprintf(text, sizeof text, error >= 64 ? "> %.2g" : "%.3g", error);
+        std::snprintf(text, sizeof text, verdict == "ok" ? "%.3g" : "> %.2g", error);
         return text;
     }
     if (verdict == "ok" && !std::isfinite(error)) return "no error";
@@ -134,8 +134,8 @@ std::optional<Cell> ExtremeRuns::limit(const ExtremeCase& row, const CaseColumn&
         return Cell{verdict.starts_with("unstable:") ? "unstable" : "failed", "fraction", verdict,
                     limit->unstable ? limit->unstable->reason : "", nan, nan, sum};
     }
-    return Cell{"limit", "fraction", "ok", limit->unstable ? "then " + limit->unstable->verdict : "no limit found", limit->stable->fraction,
-                nan, sum};
+    const std::string verdict = limit->unstable ? "ok" : "no limit found";
+    return Cell{"limit", "fraction", verdict, limit->unstable ? "then " + limit->unstable->verdict : "", limit->stable->fraction, nan, sum};
 }
 
 std::optional<Cell> ExtremeRuns::at_step(const ExtremeCase& row, const CaseColumn& column) const {
@@ -143,7 +143,7 @@ std::optional<Cell> ExtremeRuns::at_step(const ExtremeCase& row, const CaseColum
     const auto found_limit = limit(row, column, critical);
     if (!found_limit) return {};
     if (found_limit->kind != "limit") return found_limit;
-    if (found_limit->error >= 64) return not_offered("implicit: no largest step was found");
+    if (found_limit->verdict != "ok") return not_offered("no largest step was found");
     std::string why_not;
     Words words = without_step(table_.command(row, column, why_not));
     // The search ended with a stable step and one 2 % larger that was not.

@@ -35,7 +35,11 @@ template <bool TotalLagrangian> struct ContrastBar : Bar<TotalLagrangian> {
     }
 
     /// a of the first mode: tan a tan(a r) - r grows from -r to infinity over 0 < a < pi/2 min(1, 1/r), r = sqrt(E_1/E_2).
-    double a() const {
+    double a() const {  // asked at every step, and solved once
+        if (solved_for_ != contrast) root_ = solved_a(), solved_for_ = contrast;
+        return root_;
+    }
+    double solved_a() const {
         const double r = std::sqrt(1 / contrast);
         double low = 0, high = std::numbers::pi / 2 * std::min(1.0, 1 / r);
         for (int i = 0; i < 200; ++i) {
@@ -86,6 +90,9 @@ template <bool TotalLagrangian> struct ContrastBar : Bar<TotalLagrangian> {
     }
 
     using Observer = WaveObserver<ContrastBar>;
+
+private:
+    mutable double solved_for_ = 0, root_ = 0;  // contrast, a
 };
 
 }  // namespace mpm
