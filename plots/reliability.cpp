@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 
 #include "lab/csv_read.hpp"
@@ -60,8 +61,8 @@ public:
         make_folder(folder_);
     }
 
-    /// Settings that the program accepts and that it says are short; empty after many tries.
-    Words right() {
+    /// Settings that the program accepts and that it says are short; none after many tries.
+    std::optional<Words> right() {
         for (int tries = 0; tries < 50; ++tries) {
             Words words = random_settings(options_, random_);
             if (!dry_) return words;
@@ -73,7 +74,7 @@ public:
             if (asked.end.code == 0 && asked.end.usable() && estimate(asked.out) > s_.seconds) continue;
             return words;
         }
-        return {"--help"};
+        return {};
     }
     double limit() const { return dry_ ? s_.timeout : std::min(s_.timeout, patience); }
     /// Programs without --dry-run say only when they run that settings do not go together, and never how long they would take.
@@ -195,10 +196,11 @@ public:
         Trial trial(s_, programs, name);
         const int before = failures_, earlier = tried_;
         for (int i = 0, tried = 0; tried < s_.runs && i < 4 * s_.runs && !interrupted(); ++i) {
-            const Words words = trial.right();
-            const Tried t = trial.run(words, trial.limit());
+            const auto words = trial.right();
+            if (!words) break;
+            const Tried t = trial.run(*words, trial.limit());
             if (trial.may_refuse(t)) continue;
-            tell(trial, name, "right", words, t, judge(t));
+            tell(trial, name, "right", *words, t, judge(t));
             ++tried;
         }
         for (int i = 0; i < s_.runs && !interrupted(); ++i) {
@@ -207,16 +209,18 @@ public:
             tell(trial, name, "wrong", words, t, judge_wrong(t));
         }
         for (int i = 0; i < (s_.runs + 9) / 10 && !interrupted(); ++i) {
-            const Words words = trial.right();
-            const Tried t = trial.run(words, trial.moment());
-            tell(trial, name, "stopped", words, t, unreadable(t.files));
+            const auto words = trial.right();
+            if (!words) break;
+            const Tried t = trial.run(*words, trial.moment());
+            tell(trial, name, "stopped", *words, t, unreadable(t.files));
         }
         for (int i = 0; i < (s_.runs + 19) / 20 && trial.accepts("out") && !interrupted(); ++i) {
-            const Words words = trial.right();
-            const Tried full = trial.on_a_full_disk(words, trial.limit()), none = trial.into_no_folder(words, trial.limit());
+            const auto words = trial.right();
+            if (!words) break;
+            const Tried full = trial.on_a_full_disk(*words, trial.limit()), none = trial.into_no_folder(*words, trial.limit());
             if (trial.may_refuse(none) || trial.may_refuse(full)) continue;
-            tell(trial, name, "full disk", words, full, judge_full(full));
-            tell(trial, name, "no folder", words, none, judge_no_folder(none));
+            tell(trial, name, "full disk", *words, full, judge_full(full));
+            tell(trial, name, "no folder", *words, none, judge_no_folder(none));
         }
         trial.clean();
         if (!s_.quiet) std::printf("%-24s %d of %d runs failed\n", name.c_str(), failures_ - before, tried_ - earlier), std::fflush(stdout);
