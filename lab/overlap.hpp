@@ -18,19 +18,19 @@ template <int D> class CellBoxes {
 public:
     template <class Bodies> explicit CellBoxes(const Bodies& bodies) {
         const Lattice<D>& lattice = bodies.front()->grid.lattice();
-        Vec<D> high = Vec<D>::Constant(-std::numeric_limits<double>::infinity());
-        low_ = -high;
+        Vec<D> high = Vec<D>::Constant(-std::numeric_limits<double>::infinity()), low = -high;
+        origin_ = lattice.origin();
         h_ = lattice.h();
         bool finite = true;
         for (const auto* body : bodies)
             for (const auto& p : body->points) {
-                low_ = low_.cwiseMin(p.x), high = high.cwiseMax(p.x);
+                low = low.cwiseMin(p.x), high = high.cwiseMax(p.x);
                 finite = finite && p.x.allFinite();
             }
         double boxes = 1;
         for (int d = 0; d < D; ++d) {
-            low_[d] = lattice.origin()[d] + std::floor((low_[d] - lattice.origin()[d]) / h_[d]) * h_[d];  // on the lattice's lines
-            cells_[static_cast<std::size_t>(d)] = std::floor((high[d] - low_[d]) / h_[d]) + 1;
+            first_[d] = line(low, d);
+            cells_[static_cast<std::size_t>(d)] = line(high, d) - first_[d] + 1;
             boxes *= cells_[static_cast<std::size_t>(d)];
         }
         usable = finite && boxes < 1e8;
@@ -42,12 +42,15 @@ public:
     double volume() const { return h_.prod(); }
     std::size_t of(const Vec<D>& x) const {
         double cell = 0;
-        for (int d = D; d-- > 0;) cell = cell * cells_[static_cast<std::size_t>(d)] + std::floor((x[d] - low_[d]) / h_[d]);
+        for (int d = D; d-- > 0;) cell = cell * cells_[static_cast<std::size_t>(d)] + line(x, d) - first_[d];
         return static_cast<std::size_t>(cell);
     }
 
 private:
-    Vec<D> low_, h_;
+    /// The lattice's line below x. All places are counted by it, so that rounding leaves none outside the boxes of the outermost ones.
+    double line(const Vec<D>& x, int d) const { return std::floor((x[d] - origin_[d]) / h_[d]); }
+
+    Vec<D> origin_, h_, first_;
     std::array<double, D> cells_{};
     std::size_t count_ = 0;
 };

@@ -42,6 +42,18 @@ TEST(Overlap, NamesBothBodiesAndHowManyCellsTheyShare) {
 }
 TEST(Overlap, IsFoundOutsideTheGridToo) { EXPECT_TRUE(overlap({block(-7, 20, 4), block(-6.5, 20.5, 4)})); }
 
+// A particle on a line of the lattice, as rounding puts it, stays in the boxes that the outermost particles span.
+TEST(Overlap, CountsEveryParticleInABox) {
+    for (int n = 3; n < 400; ++n) {
+        const double h = 1.0 / n;
+        Block b{{}, Grid<2, Node>(Lattice<2>(Vec<2>::Constant(-2 * h), Vec<2>::Constant(h), {4, 4})), {}};
+        for (int i = -n; i <= n; ++i) b.points.push_back({Vec<2>(i * h, i / (n + 0.0)), 0.25});
+        const CellBoxes<2> boxes(std::vector<Block*>{&b});
+        ASSERT_TRUE(boxes.usable);
+        for (const Particle& p : b.points) ASSERT_LT(boxes.of(p.x), boxes.count()) << "n = " << n << ", x = " << p.x.transpose();
+    }
+}
+
 // Whatever the place of the touching faces in their cells, what both fill sums to the cell.
 TEST(Overlap, IsNotSeenWhereBodiesTouch) {
     for (int i = 0; i <= 20; ++i) EXPECT_FALSE(overlap({block(0.05 * i, 0, 4), block(0.05 * i + 2, 0.3, 4)})) << i;
