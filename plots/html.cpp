@@ -26,6 +26,8 @@ th, td { border-bottom: 1px solid #ccc; padding: .1em .5em; text-align: left; ve
 @media print {
   body { font-size: 11pt; max-width: none; margin: 0; }
   nav { display: none; }
+  tr { break-inside: avoid; }
+  .overview { font-size: 8.5pt; }
   h2 { break-before: page; }
   a { color: inherit; }
 }
