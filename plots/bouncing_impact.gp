@@ -25,10 +25,10 @@ set title 'impact, t = 0.561 s: von Mises stress'
 set xrange [0.36:0.92]
 set yrange [-0.17:0.35]
 set colorbox
-set cblabel 'von Mises stress [Pa]'
+set cblabel 'von Mises stress [MPa]'
 set palette defined (0 '#fff5eb', 0.5 '#fd8d3c', 1 '#7f2704')
 set cbrange [0:*]
-set format cb '%.0e'
-plot d.'particles_0001.csv' using (column('x')):(column('y')):(column('mises')) with points pt 7 ps 0.5 lc palette, \
+set cbtics 0.5
+plot d.'particles_0001.csv' using (column('x')):(column('y')):(column('mises')/1e6) with points pt 7 ps 0.5 lc palette, \
      d.'domains_0001.csv' using (column('x')):(column('y')) with lines lc rgb '#888888' lw 1 dt solid
 unset multiplot

@@ -11,19 +11,19 @@ set key top left Left reverse samplen 3
 set arrow 1 from 0.5,graph 0 to 0.5,graph 1 nohead lc rgb '#888888' lw 1
 set origin 0,0.48
 set size 0.5,0.48
-set title 'to a bar of four times the modulus: R = -1/3, T = 2/3'
-set yrange [-0.6:1.2]
+set title '4 E in particles: R = -1/3, T = 2/3'
+set yrange [-0.6:1.8]
 plot 'data/coupled-bar-stiff/particles_0000.csv' using (column('x')):(column('v')/v0) with lines lt 3 title 'start', \
      'data/coupled-bar-stiff/particles_0002.csv' using (column('x')):(column('body') == 1 ? column('v')/v0 : 1/0) with lines lt 1 title 'end, finite elements', \
      'data/coupled-bar-stiff/particles_0002.csv' using (column('x')):(column('body') == 0 ? column('v')/v0 : 1/0) with lines lt 2 title 'end, particles', \
      2.0/3 with lines lc rgb '#888888' lw 1 dt 3 notitle, -1.0/3 with lines lc rgb '#888888' lw 1 dt 3 notitle
 set origin 0.5,0.48
-set title 'from the particles to a tenth of the modulus: R = 0.519, T = 1.519'
-set yrange [-0.2:2]
+set title 'from particles to E/10: R = 0.519, T = 1.519'
+set yrange [-0.2:2.4]
 set key top right
 set arrow 1 from 0.5,graph 0 to 0.5,graph 1 nohead lc rgb '#888888' lw 1
 R = (1 - sqrt(0.1))/(1 + sqrt(0.1))
-plot 'data/coupled-bar-soft/particles_0000.csv' using (column('x')):(-column('v')/v0) with lines lt 3 title 'start (mirrored sign)', \
+plot 'data/coupled-bar-soft/particles_0000.csv' using (column('x')):(column('v')/v0) with lines lt 3 title 'start', \
      'data/coupled-bar-soft/particles_0002.csv' using (column('x')):(column('body') == 1 ? column('v')/v0 : 1/0) with lines lt 1 title 'end, finite elements', \
      'data/coupled-bar-soft/particles_0002.csv' using (column('x')):(column('body') == 0 ? column('v')/v0 : 1/0) with lines lt 2 title 'end, particles', \
      1 + R with lines lc rgb '#888888' lw 1 dt 3 notitle, R with lines lc rgb '#888888' lw 1 dt 3 notitle
@@ -39,9 +39,8 @@ set yrange [1e-3:0.1]
 set xtics (50, 100, 200)
 set format y '10^{%L}'
 set key top right
-is(name) = strcol('error_name') eq name
-plot 'data/coupled-bar-coupled/summary.csv' using (column('cells')):(is('velocity') ? column('error') : 1/0) with linespoints lt 1 pt 7 ps 1.5 title 'coupled', \
-     'data/coupled-bar-fem/summary.csv' using (column('cells')):(is('velocity') ? column('error') : 1/0) with linespoints lt 2 pt 5 ps 1.5 title 'finite elements alone', \
-     'data/coupled-bar-mpm/summary.csv' using (column('cells')):(is('velocity') ? column('error') : 1/0) with linespoints lt 3 pt 9 ps 1.5 title 'particles alone', \
+plot 'data/coupled-bar-coupled/summary.csv' using (column('cells')):(column('error')) every 3 with linespoints lt 1 pt 7 ps 1.5 title 'coupled', \
+     'data/coupled-bar-fem/summary.csv' using (column('cells')):(column('error')) every 3 with linespoints lt 2 pt 5 ps 1.5 title 'finite elements alone', \
+     'data/coupled-bar-mpm/summary.csv' using (column('cells')):(column('error')) every 3 with linespoints lt 3 pt 9 ps 1.5 title 'particles alone', \
      40/x**2 with lines lc rgb '#888888' lw 1 title 'slope 2'
 unset multiplot

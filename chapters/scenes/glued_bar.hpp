@@ -51,8 +51,8 @@ struct GluedBar {
     double T() const { return 2 * z(0) / (z(0) + z(1)); }
     double wave_speed() const { return std::max(c(0), c(1)); }
     double speed() const { return v0; }
-    /// Both waves have left the joint by a tenth of the pulse, and none is at an end.
-    double t_end() const { return 2.2 * pulse * length / c(0) + 0.1 * pulse * length / std::min(c(0), c(1)); }
+    /// Both waves have left the joint, and none is at an end.
+    double t_end() const { return 2.12 * pulse * length / c(0); }
 
     /// Of the bar left of the joint and right of it.
     int bar_at(double X) const { return (X < length / 2) == (from == "fem") ? 0 : 1; }
