@@ -40,7 +40,7 @@ int run(int argc, char** argv) {
     options.number("near", near, "time", at_least(0), "time step near the plate; 0: that of the source's Table 3");
     method.declare(options, true);
     SceneTraits traits = traits_of(disk);
-    traits.limit = "--far or --near";
+    traits.limit = "--near";
     common.declare(options, {QuadraticElement::name}, 1.7, traits);
     common.declare_threads(options);
     options.parse(argc, argv);
