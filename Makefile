@@ -1,7 +1,7 @@
 # The thin front door. `make figures` sets up, builds and draws; `make check` passes the tests.
 MAKEFLAGS += --no-print-directory
 JOBS ?= $(shell nproc)
-.PHONY: all setup configure build check mutants figures atlas atlas-quick reliability sanitize bench clean
+.PHONY: all setup configure build check mutants figures atlas atlas-quick extremes extremes-quick reliability sanitize bench clean
 .DEFAULT_GOAL := all
 
 all: build
@@ -25,6 +25,12 @@ atlas: figures
 	./plots/atlas.sh build figures
 atlas-quick: figures
 	./plots/atlas.sh build figures quick
+# Stiff and extreme cases and the largest stable steps, as tables; quick: without the longest cases. What has ended is not run again.
+extremes extremes-quick: configure
+	cmake --build build -j$(JOBS) --target programs
+	mkdir -p figures/data
+	./build/extremes --table plots/extremes.txt --jobs $(JOBS) --out figures/data/extremes $(if $(findstring quick,$@),--quick)
+	cp figures/data/extremes/*.png figures
 # Every program with random settings, right, wrong and stopped, under the sanitizers.
 RUNS ?= 200
 reliability: setup

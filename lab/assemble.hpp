@@ -49,7 +49,7 @@ template <class Scene, class Matter> struct Problem {
     std::vector<LockingWatch<Matter>> locking;              // of nearly incompressible solids in the plane
     bool watches_overlap = false;
     NodeWatch nodes;
-    bool watches_nodes = false;
+    bool watches_nodes = false, looks_for_massless = false;  // every step; once
     double cutoff = 0;  // the scheme's, if it has one [mass]
     std::function<Mapping(std::size_t body)> mapping;  // of the weighting function, for --smooth
     std::function<Trouble()> shapes_trouble;           // of weighting functions that can fail, e.g. with domains
@@ -84,6 +84,11 @@ template <class Scene, class Matter> struct Problem {
             if (Trouble trouble = locking[b].check(*bodies[b])) return trouble;
         if (shapes_trouble)
             if (Trouble trouble = shapes_trouble()) return trouble;
+        if (looks_for_massless) {
+            looks_for_massless = false;
+            for (const Matter* body : bodies)
+                if (Trouble trouble = massless_node<D>(*body, NodeWatch::tiny)) return trouble;
+        }
         return watches_overlap ? check_overlap<D>(bodies) : Trouble{};
     }
     double critical_dt() const {
@@ -156,6 +161,7 @@ template <class Scene, class Matter> [[gnu::cold]] Assembled watched_and_reporte
     const Scene& scene = s->scene;
     const Vec<Scene::D> h = s->bodies[0]->grid.lattice().h();
     s->watches_nodes = !combination.total_lagrangian;
+    s->looks_for_massless = combination.total_lagrangian;
     s->cutoff = combination.cutoff;
     if constexpr (!requires { Scene::may_break; })
         if (!combination.total_lagrangian)

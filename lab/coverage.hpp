@@ -90,6 +90,26 @@ private:
     Vec<D> gap_ = Vec<D>::Zero();
 };
 
+/// A node inside a body that has next to no mass, between neighbours along an axis that have: too few particles in a cell, or at the wrong
+/// places, for the weighting function. Forces act on it that nothing resists; what the run then gives looks like a result. Said of
+/// total-Lagrangian grids, whose masses stay; a node at the end of a body may have as little as it likes.
+template <int D, class Matter> Trouble massless_node(const Matter& body, double tiny) {
+    const Lattice<D>& lattice = body.grid.lattice();
+    double mass = 0;  // of a particle
+    for (const auto& p : body.points) mass += p.m / static_cast<double>(body.points.size());
+    const auto has = [&](int I) { return body.grid[I].m > 0.1 * mass; };
+    for (int I = 0; I < lattice.size(); ++I)
+        for (int d = 0; d < D && !(body.grid[I].m > tiny * mass); ++d) {
+            const int place = lattice.along(I, d), step = lattice.stride(d);
+            if (place == 0 || place == lattice.nodes(d) - 1 || !has(I - step) || !has(I + step)) continue;
+            std::ostringstream s;
+            s << "node " << I << " at x = " << lattice.position(I).transpose() << ", inside a body, has " << body.grid[I].m / mass
+              << " of a particle's mass: too few particles for the weighting function, or all of them at its zeros";
+            return {"massless-node", s.str()};
+        }
+    return {};
+}
+
 /// Counts what is legal but should be rare: nodes whose mass is a tiny part of a particle's (review figure 10), and, where the scheme has a
 /// mass cut-off, nodes that it left out.
 class NodeWatch {

@@ -191,7 +191,8 @@ private:
                       ratio > 1 ? "; likely cause: the time step is %.3g times %s" : "; the time step is %.3g of %s, so look at the scheme",
                       ratio, plan_.limit.c_str());
         const bool at_any_step =
-            trouble.cause == "numerical-fracture" || trouble.cause == "bodies-passed-through" || trouble.cause == "locking";
+            trouble.cause == "numerical-fracture" || trouble.cause == "bodies-passed-through" || trouble.cause == "locking" ||
+            trouble.cause == "massless-node";
         if (!at_any_step && !sim_.any_step) trouble.reason += text;
     }
     double step_ratio() const { return plan_.cfl > 0 ? plan_.cfl : plan_.dt / plan_.critical_dt; }

@@ -115,7 +115,8 @@ std::vector<CaseTable> read_case_tables(const std::string& text, const std::stri
         else if (line.keyword == "scene")
             add_scene(line, table);
         else if (line.keyword == "known")
-            for (const std::string& column : split(line.field(2), ',')) table.causes[place(line.field(0), line.field(1), column)] = line.field(3);
+            for (const std::string& column : split(line.field(2), ','))
+                table.causes[place(line.field(0), line.field(1), column)] = line.field(3);
         else if (line.keyword == "case" || line.keyword == "limit" || line.keyword == "step")
             table.cases.push_back(case_of(line, table));
         else

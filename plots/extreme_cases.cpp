@@ -59,7 +59,7 @@ std::string Cell::shown() const {
                                                               {"inverted-particle", "inverted"},  {"domain-trouble", "domain"},
                                                               {"temperature-growth", "too hot"},  {"left-grid", "left grid"},
                                                               {"not-finite", "not finite"},       {"time-step-floor", "step floor"},
-                                                              {"bodies-passed-through", "passed"}};
+                                                              {"bodies-passed-through", "passed"}, {"massless-node", "massless"}};
         const std::string cause = verdict.substr(verdict.find(':') + 1);
         const auto short_word = words.find(cause);
         return short_word == words.end() ? cause : short_word->second;

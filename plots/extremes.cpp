@@ -41,7 +41,7 @@ void print(const CaseTable& table, const std::vector<ExtremeCase>& cases, const 
         const bool first = r == 0 || cases[r].group != cases[r - 1].group;
         std::printf("%-20.20s %11.11s", first ? cases[r].group.c_str() : "", cases[r].value.c_str());
         for (const Cell& cell : cells[r]) {
-            std::printf(" %-11.11s", (text_of(cell, notes) + (cell.kind == "inaccurate" ? " !" : "")).c_str());
+            std::printf(" %-11.11s", (text_of(cell, notes) + (cell.kind == "inaccurate" ? "!" : "")).c_str());
         }
         std::printf("\n");
     }
@@ -57,7 +57,8 @@ int print_defects(const std::vector<ExtremeCase>& cases, const CaseTable& table,
             if (!cell.defect()) continue;
             ++defects;
             std::printf("  %s %s, %s: %s %g, allowed %g (%s) %s\n", cases[r].group.c_str(), cases[r].value.c_str(),
-                        table.columns[c].name.c_str(), cell.kind.c_str(), cell.error, cell.bound, cases[r].why.c_str(), one_line(cell.reason, 120).c_str());
+                        table.columns[c].name.c_str(), cell.kind.c_str(), cell.error, cell.bound, cases[r].why.c_str(),
+                        one_line(cell.reason, 120).c_str());
         }
     return defects;
 }

@@ -13,7 +13,7 @@ if [ $# -gt 2 ]; then . "$plots/runs/$3.sh"; exit 0; fi
 # One chapter a core, the longest first; then those whose times count, alone.
 printf '%s\n' vortex contact disks fluid square implicit coupling cpdi segment improved locking thermal explicit filling weighting |
     xargs -P "$(nproc)" -n 1 "$0" "$build" "$figures"
-for name in column compared; do "$0" "$build" "$figures" $name; done
+for name in column compared extremes; do "$0" "$build" "$figures" $name; done
 
 # Recipes go with the figures, so that each can be drawn again there.
 cp "$plots"/*.gp "$plots"/*.csv "$plots"/style.gnuplot "$figures"

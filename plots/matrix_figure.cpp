@@ -9,7 +9,7 @@
 namespace mpm {
 namespace {
 
-constexpr int row_height = 36, column_width = 104, left_width = 400, line_height = 27, letters_in_a_line = 150;
+constexpr int row_height = 36, column_width = 104, left_width = 400, line_height = 27;
 
 /// "1e4" as 10^4, 2^-8 with its exponent raised; other texts as they are.
 std::string value_text(const std::string& value) {
@@ -25,14 +25,14 @@ std::string value_text(const std::string& value) {
     return power.empty() ? plain(value) : formula(before + "10^{" + power + "}" + after, before + "$10^{" + power + "}$" + after);
 }
 
-/// Text in lines of at most `letters_in_a_line`.
-std::vector<std::string> wrapped(const std::string& text) {
+/// Text in lines of at most so many letters.
+std::vector<std::string> wrapped(const std::string& text, int letters) {
     std::vector<std::string> lines(1);
     std::size_t from = 0;
     while (from < text.size()) {
         const std::size_t end = std::min(text.find(' ', from), text.size());
         const std::string word = text.substr(from, end - from);
-        if (lines.back().size() + word.size() + 1 > letters_in_a_line) lines.emplace_back();
+        if (lines.back().size() + word.size() + 1 > static_cast<std::size_t>(letters)) lines.emplace_back();
         lines.back() += (lines.back().empty() ? "" : " ") + word;
         from = end + 1;
     }
@@ -70,7 +70,7 @@ std::string heads(const std::vector<CaseColumn>& columns) {
         const std::string latex = gnuplot_text("\\shortstack{" + above + "\\\\" + below + "}");
         text += (c > 0 ? ", " : "") + std::string("(tex ? ") + latex + " : \"" + above + "\\n" + below + "\") " + std::to_string(c + 1);
     }
-    return "set x2tics (" + text + ") scale 0\n";
+    return "set x2tics (" + text + ") scale 0 font ',16'\n";
 }
 
 }  // namespace
@@ -102,24 +102,31 @@ std::string write_matrix(const std::string& folder, const CaseTable& table, cons
             }
     }
     const bool steps = std::all_of(cases.begin(), cases.end(), [](const ExtremeCase& c) { return c.kind == ExtremeCase::Kind::limit; });
-    std::vector<std::string> below{
+    const int rows = static_cast<int>(cells.size()), columns = static_cast<int>(table.columns.size());
+    const int width = std::max(left_width + column_width * columns + 30, 1000);
+    std::vector<std::string> below;
+    const auto add_below = [&](const std::string& text) {
+        for (const std::string& line : wrapped(text, width / 10)) below.push_back(line);
+    };
+    add_below(
         steps ? "Number: the largest stable step found, as a fraction of the critical one. Dark: no stable step. Letter: not offered."
               : "Number: the error reached. Dark: the named instability that ended the run. Orange: over the bound of the case, for "
-                "the reason in brackets. Letter: not offered."};
-    for (const std::string& reason : notes.reasons)
-        for (const std::string& line : wrapped(notes.letter(reason) + ": " + reason))
-            below.push_back(line);
-    const int rows = static_cast<int>(cells.size()), columns = static_cast<int>(table.columns.size());
-    const int width = std::max(left_width + column_width * columns + 30, 1000), under = line_height * static_cast<int>(below.size()) + 30;
-    const int top = 130, height = top + row_height * rows + under;
-    std::string text = script_head(name, width, height, table.title);
+                "the reason in brackets. Letter: not offered.");
+    for (const std::string& reason : notes.reasons) add_below(notes.letter(reason) + ": " + reason);
+    const std::vector<std::string> title = wrapped(table.title, width / 13);
+    const int under = line_height * static_cast<int>(below.size()) + 30, over = 32 * static_cast<int>(title.size()) + 14;
+    const int top = over + 78, height = top + row_height * rows + under;
+    std::string text = script_head(name, width, height, "") + "unset title\n";
     const auto screen = [](double part, double of) { return number_text(part / of); };
     text += "set lmargin at screen " + screen(left_width, width) + "\nset rmargin at screen " +
             screen(left_width + column_width * columns, width) + "\nset bmargin at screen " + screen(under, height) +
-            "\nset tmargin at screen " + screen(height - top, height) + "\nset title offset 0,1.6\n";
+            "\nset tmargin at screen " + screen(height - top, height) + "\n";
     text += "set xrange [0.5:" + std::to_string(columns) + ".5]\nset x2range [0.5:" + std::to_string(columns) + ".5]\nset yrange [" +
             std::to_string(rows) + ".5:0.5]\nunset xtics\nunset ytics\nunset grid\nunset key\nunset colorbox\nset cbrange [0:1]\n";
     text += "set palette defined (0 '#f7fbff', 0.5 '#a6cde5', 1 '#4a90c4')\n" + heads(table.columns) + labels(cases);
+    for (std::size_t i = 0; i < title.size(); ++i)
+        text += "set label " + plain(title[i]) + " left at screen 0.008, screen " +
+                screen(height - 32 * (static_cast<double>(i) + 0.8), height) + "\n";
     for (std::size_t i = 0; i < below.size(); ++i)
         text += "set label " + plain(below[i]) + " left at screen 0.008, screen " +
                 screen(under - 16 - line_height * (static_cast<double>(i) + 0.5), height) + " font ',14'\n";
@@ -130,7 +137,8 @@ std::string write_matrix(const std::string& folder, const CaseTable& table, cons
             " with boxxyerror fc rgb '#303030', \\\n     " + source + only("failed") + box +
             " with boxxyerror fc rgb '#a00000', \\\n     " + source + only("inaccurate") + box +
             " with boxxyerror fc rgb '#f5a040', \\\n     " + source + only("none") + box + " with boxxyerror fc rgb 'white', \\\n     " +
-            source + "(column('column')):(column('row')):(strcol('shown')):(column('ink')) with labels tc rgb variable font ',15' noenhanced\n";
+            source + "(column('column')):(column('row')):(strcol('shown')):(column('ink')) with labels tc rgb variable font "
+            "',15' noenhanced\n";
     write_file(folder + "/" + name + ".gp", text);
     files.insert(files.end(), {csv, folder + "/" + name + ".gp"});
     return name;

@@ -35,8 +35,8 @@ struct BarsSettings {
 
 /// Waves run from the faces to the free ends and back as relief: every point of the left bar has the velocity v0, v_face, 2 v_face - v0 in
 /// turn, v_face = v0 (1 - z)/(1 + z) by the impedances rho c, z that of the right bar over that of the left one. A right bar that is
-/// denser, and so slower, gets its relief later: the bars part at 2L/c of the left one; a lighter one is not followed. Small strains: the law in
-/// rate form is that of the exact solution.
+/// denser, and so slower, gets its relief later: the bars part at 2L/c of the left one; a lighter one is not followed. Small strains: the
+/// law in rate form is that of the exact solution.
 struct HeadOnBars : FreeScene, BarsSettings {
     static constexpr int D = 1;
     static constexpr const char* name = "head-on-bars";

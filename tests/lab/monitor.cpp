@@ -100,6 +100,16 @@ TEST(CoverageTest, AHoleFromTheStartIsNot) {
     EXPECT_FALSE(coverage.check(bodies[0]));
 }
 
+TEST(MasslessNode, IsNamedInsideABodyAndNotAtItsEnd) {
+    auto bodies = block<1>();  // particles of mass 1 in cells 2 ... 7
+    for (int I = 2; I <= 8; ++I) bodies[0].grid[I].m = 1;
+    bodies[0].grid[2].m = 1e-12;  // the end
+    EXPECT_FALSE((massless_node<1>(bodies[0], NodeWatch::tiny)));
+    bodies[0].grid[5].m = 1e-12;
+    const Trouble t = massless_node<1>(bodies[0], NodeWatch::tiny);
+    EXPECT_EQ(t.cause, "massless-node");
+    EXPECT_NE(t.reason.find("node 5 at x = 5"), std::string::npos) << t.reason;
+}
 TEST(NodeWatchTest, CountsTinyAndCutNodes) {
     auto bodies = block<1>();
     bodies[0].grid[2].m = 1e-12;

@@ -109,6 +109,15 @@ TEST(Extremes, AnErrorOverItsBoundIsNotOk) {
     EXPECT_EQ(made.ending.code, 3);
     EXPECT_TRUE(holds(made.ending.out, "allowed 0.001 (third order)")) << made.ending.out;
 }
+TEST(Extremes, AKnownCauseIsSaidBesideIt) {
+    const Made made(
+        "table t | T\ncolumn good\nscene s | * | good\ncase fine | 10 | s | --cells 10 | size | 1e-3 | third order\n"
+        "known fine | * | good | it is of second order\n");
+    EXPECT_EQ(made.kinds.at("fine good"), "inaccurate");
+    EXPECT_EQ(made.reasons.at("fine good"), "it is of second order");
+    EXPECT_EQ(made.ending.code, 0);
+    EXPECT_TRUE(holds(made.ending.out, "1.0e-2 (a)!")) << made.ending.out;
+}
 TEST(Extremes, WhatAProgramDoesNotOfferIsItsOwnReason) {
     const Made made("table t | T\ncolumn good\nscene s | * | good\ncase fine | 10 | s | --power 3 | size | 1 | why\n");
     EXPECT_EQ(made.kinds.at("fine good"), "none");
@@ -139,9 +148,11 @@ TEST(Extremes, LeavesOutFullCasesIfQuick) {
 }
 TEST(Extremes, DrawsItsFigure) {
     if (std::system("command -v gnuplot >/dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
-    const Made made(columns + "case fine | 2^-8 | s | --cells 200 | size | 1e-4 | second order\n", {"--plot", "png"});
-    EXPECT_EQ(made.ending.err, "");
-    for (const char* end : {".csv", ".gp", ".png"}) EXPECT_TRUE(made.fakes.has(std::string("all/t") + end)) << end;
+    const Fakes fakes;
+    std::ofstream(fakes.path("table.txt")) << columns + "case fine | 2^-8 | s | --cells 200 | size | 1e-4 | second order\n";
+    const Ending ending = fakes.run("extremes", {"--programs", "bin", "--table", "table.txt", "--out", "all"});
+    EXPECT_EQ(ending.err, "");
+    for (const char* end : {".csv", ".gp", ".png"}) EXPECT_TRUE(fakes.has(std::string("all/t") + end)) << end;
 }
 
 }  // namespace
