@@ -59,6 +59,7 @@ std::string Found::shown() const {
         std::string short_text = text;  // 1.9e-4
         const std::size_t zero = short_text.find("e-0");
         if (zero != std::string::npos) short_text.erase(zero + 2, 1);
+        if (short_text.ends_with("e+00")) short_text.erase(short_text.size() - 4);
         return short_text;
     }
     return verdict.substr(verdict.find(':') == std::string::npos ? 0 : verdict.find(':') + 1);
