@@ -58,6 +58,7 @@ std::string write_script(const std::string& folder, const std::string& name, con
             Gnuplot gp(">" + part);
             body(gp);
             if (gp.flush()) return 0;
+            if (errno == 0) gp.clear(), gp.flush();  // a part was taken, which is no error: the rest tells the reason
             return errno != 0 ? errno : EIO;  // before gp goes, which closes what has failed and says something else
         } catch (const std::ios_base::failure&) {  // the file could not be opened
             return errno != 0 ? errno : EIO;

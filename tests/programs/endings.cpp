@@ -83,12 +83,12 @@ TEST(Unstable, RowIsARowAndTheListGoesOn) {
     const Ending ending = folder.run("tlmpm_bar", {"--cells", "100,5", "--dt", "0.06", "--t-end", "20", "--out", "run"});
     EXPECT_EQ(ending.code, 3);
     const auto table = csv(folder.read("run/summary.csv"));
-    ASSERT_EQ(table.size(), 7u);
+    ASSERT_EQ(table.size(), 9u);
     expect_unstable_row(table, 1);
-    EXPECT_EQ(field(table, 4, "cells"), "5");
-    EXPECT_EQ(field(table, 4, "verdict"), "ok");
-    EXPECT_NE(field(table, 4, "error"), "nan");
-    EXPECT_EQ(field(table, 4, "order"), "nan") << "no order against a run that did not end well";
+    EXPECT_EQ(field(table, 5, "cells"), "5");
+    EXPECT_EQ(field(table, 5, "verdict"), "ok");
+    EXPECT_NE(field(table, 5, "error"), "nan");
+    EXPECT_EQ(field(table, 5, "order"), "nan") << "no order against a run that did not end well";
 }
 // The leapfrog's energy swings by about omega dt/2 of itself around a constant; that is no growth.
 // same.
