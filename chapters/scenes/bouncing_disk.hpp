@@ -105,4 +105,14 @@ struct BouncingDisk {
     };
 };
 
+/// What a run of either scene notes.
+template <class Scene> struct BounceObserver {
+    const Scene& scene;
+    BouncingDisk::Bounces bounces{};
+    template <class Points> void sample(const Points& points, double t, double energy) { bounces.add(scene.state(points), t, energy, scene.g); }
+    bool wants_energy(double, double) const { return true; }
+    std::vector<NamedError> errors(double) const { return bounces.errors(); }
+    std::vector<std::pair<std::string, double>> facts(double) const { return bounces.facts(); }
+};
+
 }  // namespace mpm

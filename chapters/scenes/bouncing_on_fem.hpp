@@ -77,16 +77,7 @@ struct BouncingOnFem : BouncingDisk {
         const State s = state(points);
         return {s.height, height_rigid(t), s.m * g * s.height, -plate.exchange().on_body[1], -plate.deepest(1)};
     }
-    struct Observer {
-        const BouncingOnFem& scene;
-        Bounces bounces{};
-        template <class Points> void sample(const Points& points, double t, double energy) {
-            bounces.add(scene.state(points), t, energy, scene.g);
-        }
-        bool wants_energy(double, double) const { return true; }
-        std::vector<NamedError> errors(double) const { return bounces.errors(); }
-        std::vector<std::pair<std::string, double>> facts(double) const { return bounces.facts(); }
-    };
+    using Observer = BounceObserver<BouncingOnFem>;
 
 private:
     static std::vector<char> face(const Rectilinear<2>& grid, bool lower) {

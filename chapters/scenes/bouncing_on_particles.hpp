@@ -78,16 +78,7 @@ struct BouncingOnParticles : BouncingDisk {
         *told = {t, log->pressed};
         return {s.height, height_rigid(t), s.m * g * s.height, force, sinking};
     }
-    struct Observer {
-        const BouncingOnParticles& scene;
-        Bounces bounces{};
-        template <class Points> void sample(const Points& points, double t, double energy) {
-            bounces.add(scene.state(points), t, energy, scene.g);
-        }
-        bool wants_energy(double, double) const { return true; }
-        std::vector<NamedError> errors(double) const { return bounces.errors(); }
-        std::vector<std::pair<std::string, double>> facts(double) const { return bounces.facts(); }
-    };
+    using Observer = BounceObserver<BouncingOnParticles>;
 };
 
 }  // namespace mpm
