@@ -18,6 +18,6 @@ csv = 'data/segment/errors.csv'
 plot 'data/segment/front.csv' using (column('seconds')):(column('error')) with lines lw 10 lc rgb '#dcdcdc' title 'beaten by none', \
      csv using (who(9)):(column('error')) with linespoints lt 2 pt 8 ps 1.3 title 'USL, hat', \
      csv using (who(3)):(column('error')) with linespoints lt 3 pt 6 ps 1.3 title 'TLMPM, hat', \
-     csv using (who(1)):(column('error')) with linespoints lt 1 pt 5 ps 1.1 title 'linear elements', \
-     csv using (who(2)):(column('error')) with linespoints lt 4 pt 4 ps 1.3 title 'quadratic elements', \
+     csv using (who(1)):(column('error')) with linespoints lt 1 pt 5 ps 1.1 title 'linear FEM', \
+     csv using (who(2)):(column('error')) with linespoints lt 4 pt 4 ps 1.3 title 'quadratic FEM', \
      csv using (who(8)):(column('error')) with linespoints lt 6 pt 7 ps 1.3 title 'TLMPM, consistent'
