@@ -1,16 +1,16 @@
 /// Viscous flow between two plates that starts from rest: driven by the upper plate (Couette) or by a body force (Poiseuille), against the
-/// exact series.
+/// exact solution: the heat of a slab (chapters/scenes/slab_exact.hpp).
 #pragma once
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "chapters/fluid/liquid.hpp"
+#include "chapters/scenes/slab_exact.hpp"
 #include "lab/boundary.hpp"
 #include "lab/figure.hpp"
 #include "lab/fill.hpp"
@@ -62,25 +62,11 @@ struct Channel : ChannelSettings {
     double speed() const { return U; }
     Animated animated() const { return {"x", "y", "vx", "x [length]", "y [length]", "velocity [length/time]"}; }
 
-    /// Velocity at height y after t > 0, and its mean: the steady flow less the series of what is still missing.
+    /// Velocity at height y after t > 0, and its mean.
     double exact(double y, double t) const {
-        using std::numbers::pi;
-        double v = couette() ? U * y / height : 4 * U * y * (height - y) / (height * height);
-        for_terms(t, [&](int n, double decay) {
-            const double s = std::sin(n * pi * y / height) * decay;
-            if (couette()) v += 2 * U / (n * pi) * (n % 2 ? -s : s);
-            else if (n % 2) v -= 32 * U / std::pow(n * pi, 3) * s;
-        });
-        return v;
+        return couette() ? U * slab::between_held_ends(y / height, Fo(t)) : 8 * U * slab::heated_evenly(y / height, Fo(t));
     }
-    double exact_mean(double t) const {
-        using std::numbers::pi;
-        double v = couette() ? U / 2 : 2 * U / 3;
-        for_terms(t, [&](int n, double decay) {
-            if (n % 2) v -= couette() ? 4 * U / std::pow(n * pi, 2) * decay : 64 * U / std::pow(n * pi, 4) * decay;
-        });
-        return v;
-    }
+    double exact_mean(double t) const { return couette() ? U * slab::between_held_ends_mean(Fo(t)) : 8 * U * slab::heated_evenly_mean(Fo(t)); }
 
     static constexpr int filled = 2, outside = 2;  // columns of cells with particles; without, at both ends
     static constexpr int below = 1;                // rows of cells beyond each plate
@@ -145,7 +131,7 @@ struct Channel : ChannelSettings {
         return {mv / m, t > 0 ? exact_mean(t) : 0};
     }
 
-    /// Root mean square difference of the particles' velocities from the series at the end, by U; and how far the density has moved.
+    /// Root mean square difference of the particles' velocities from the exact ones at the end, by U; and how far the density has moved.
     struct Observer {
         const Channel& scene;
         double square = 0, worst = 0, compression = 0;
@@ -162,7 +148,7 @@ struct Channel : ChannelSettings {
         bool wants_energy(double t, double t_end) const { return t > 0 && t >= t_end * (1 - 1e-12); }
         std::vector<NamedError> errors(double) const { return {{"v_rms", std::sqrt(square)}, {"v_max", worst}}; }
         std::vector<std::pair<std::string, double>> facts(double t_end) const {
-            return {{"nu t/H^2 at the end", scene.nu() * t_end / (scene.height * scene.height)},
+            return {{"nu t/H^2 at the end", scene.Fo(t_end)},
                     {"rms error of velocity / U", std::sqrt(square)},
                     {"largest error of velocity / U", worst},
                     {"largest |J - 1|", compression}};
@@ -186,15 +172,7 @@ private:
     /// The plate is at rest at t = 0: FLIP carries changes of nodal velocities, and without the first one, particles beside the plate would
     /// stay behind for ever.
     double lid(double t) const { return couette() && t > 0 ? U : 0; }
-    /// visit(n, exp(-(n pi)^2 nu t/H^2)) for n = 1, 2, ... while that is not nothing; at most 1e5 terms, for very early times.
-    template <class Visit> void for_terms(double t, Visit&& visit) const {
-        const double rate = std::numbers::pi * std::numbers::pi * nu() * t / (height * height);
-        for (int n = 1; n <= 100000; ++n) {
-            const double decay = std::exp(-n * (n * rate));
-            if (decay < 1e-18) return;
-            visit(n, decay);
-        }
-    }
+    double Fo(double t) const { return nu() * t / (height * height); }
 };
 
 }  // namespace mpm

@@ -110,8 +110,7 @@ template <int Dim> struct ExpandingBody : ExpandingSettings {
     /// Mean rise of temperature (5.27) where the bar's ends are held.
     double mean_rise(double t) const {
         if (uniform()) return dT * t / t_end;
-        const double Fo = law().diffusivity() * t / (length * length), pi = std::numbers::pi;
-        return t > 0 ? dT * (0.5 - slab::fourier_sum(Fo, [&](int n) { return n % 2 == 0 ? 0.0 : 4 / (pi * pi * n * n); })) : 0;
+        return dT * slab::between_held_ends_mean(law().diffusivity() * t / (length * length));
     }
     double unit_stress() const { return E * expansion * dT; }
     double stress_exact(double t) const { return D == 1 ? -E * expansion * mean_rise(t) : 0; }
