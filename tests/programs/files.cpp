@@ -170,5 +170,17 @@ TEST_P(Files, OnAFullDiskAreNamed) {
     }
 }
 
+TEST(DryRun, CountsTheMappingsOfAStep) {
+    const Folder folder;
+    const auto seconds = [&](const char* order) {
+        const std::string said = folder.run("tlmpm_bar", {"--dry-run", "--transfer", "fmpm", "--order", order}).out;
+        const std::size_t at = said.rfind(" and ");
+        return at == std::string::npos ? 0 : std::stod(said.substr(at + 5));
+    };
+    const double few = seconds("2"), many = seconds("64");
+    EXPECT_GT(few, 0);
+    EXPECT_GT(many, 8 * few);  // of 32 times as many mappings at least a quarter tells
+}
+
 }  // namespace
 }  // namespace mpm::test
