@@ -22,8 +22,9 @@ std::string number(double x, const char* format) {
     return text;
 }
 
-/// How many runs of a variant did not end well and, if it is one cause, why, for its legend.
+/// How many runs of a variant did not end well and, if it is one cause and the line has room for it, why, for its legend.
 std::string losses(const Series& series) {
+    constexpr std::size_t room = 72;  // letters of a legend's line
     std::size_t lost = 0;
     std::string verdict;
     for (const Result& r : series.results) {
@@ -32,7 +33,9 @@ std::string losses(const Series& series) {
         const std::string own = r.verdict.substr(0, colon) + ": " + r.verdict.substr(colon + 1);
         verdict = lost++ == 0 || verdict == own ? own : "unstable or failed";
     }
-    return lost == 0 ? "" : " (" + std::to_string(lost) + " of " + std::to_string(series.results.size()) + " " + verdict + ")";
+    if (lost == 0) return "";
+    const std::string count = std::to_string(lost) + " of " + std::to_string(series.results.size()) + " ", why = " (" + count + verdict + ")";
+    return series.name.size() + why.size() <= room ? why : " (" + count + "lost)";
 }
 
 /// One figure's curves: what they show, and of which variants.
