@@ -34,7 +34,8 @@ std::string losses(const Series& series) {
         verdict = lost++ == 0 || verdict == own ? own : "unstable or failed";
     }
     if (lost == 0) return "";
-    const std::string count = std::to_string(lost) + " of " + std::to_string(series.results.size()) + " ", why = " (" + count + verdict + ")";
+    const std::string count = std::to_string(lost) + " of " + std::to_string(series.results.size()) + " ",
+                      why = " (" + count + verdict + ")";
     return series.name.size() + why.size() <= room ? why : " (" + count + "lost)";
 }
 

@@ -8,6 +8,7 @@ namespace {
 constexpr const char* style = R"(
 body { font: 17px/1.45 Georgia, serif; max-width: 62em; margin: 2em auto; padding: 0 1em; color: #111; background: #fff; }
 h1, h2 { font-weight: normal; }
+a { text-underline-offset: .25em; }
 nav a { margin-right: 1.2em; }
 figure { margin: 2em 0; break-inside: avoid; }
 img { max-width: 100%; height: auto; }

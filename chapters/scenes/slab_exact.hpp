@@ -1,5 +1,5 @@
-/// Exact temperatures of a slab 0 <= xi <= 1 (Carslaw and Jaeger 1959, chapters 2 and 3) by the Fourier number Fo = kappa t/L^2: a series, and early,
-/// before one end feels the other, that of a half space from each end. All dimensionless; a rectangle's are their products.
+/// Exact temperatures of a slab 0 <= xi <= 1 (Carslaw and Jaeger 1959, chapters 2 and 3) by the Fourier number Fo = kappa t/L^2: a series,
+/// and early, before one end feels the other, that of a half space from each end. All dimensionless; a rectangle's are their products.
 #pragma once
 #include <cmath>
 #include <cstddef>
@@ -11,8 +11,8 @@ namespace mpm::slab {
 /// What comes from the other end is less than erfc(1/sqrt(4 Fo)) = 1e-23; later, a series needs 30 terms at most.
 inline bool early(double Fo) { return Fo < 0.005; }
 
-/// What a half space of one held end, of one heated evenly, feels at the distance s from its end, as functions of s/sqrt(4 Fo): erfc and its first
-/// two integrals.
+/// What a half space of one held end, of one heated evenly, feels at the distance s from its end, as functions of s/sqrt(4 Fo): erfc and
+/// its first two integrals.
 inline double ierfc(double z) { return std::exp(-z * z) * std::numbers::inv_sqrtpi - z * std::erfc(z); }
 inline double i2erfc(double z) { return (std::erfc(z) - 2 * z * ierfc(z)) / 4; }
 /// exp(z^2) erfc(z), z >= 0: from 25 on by its asymptotic series, whose next term is 1e-10.

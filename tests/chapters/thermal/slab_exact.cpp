@@ -12,12 +12,13 @@ struct Named {
     const char* name;
     std::function<double(double, double)> T;
 };
-const std::vector<Named> all{{"between_held_ends", slab::between_held_ends},
-                             {"held_ends", slab::held_ends},
-                             {"heated_evenly", [](double xi, double Fo) { return slab::heated_evenly(xi, Fo) - Fo; }},  // less what its source gives
-                             {"heated_end", slab::heated_end},
-                             {"insulated", slab::insulated},
-                             {"convective_end", slab::ConvectiveEnd(1.7)}};
+const std::vector<Named> all{
+    {"between_held_ends", slab::between_held_ends},
+    {"held_ends", slab::held_ends},
+    {"heated_evenly", [](double xi, double Fo) { return slab::heated_evenly(xi, Fo) - Fo; }},  // less what its source gives
+    {"heated_end", slab::heated_end},
+    {"insulated", slab::insulated},
+    {"convective_end", slab::ConvectiveEnd(1.7)}};
 
 TEST(SlabExact, SolvesTheHeatEquation) {
     for (const Named& s : all)
@@ -47,8 +48,10 @@ TEST(SlabExact, IsOneFunctionEarlyAndLate) {
     const double before = 0.005 * (1 - 1e-12), after = 0.005 * (1 + 1e-12);
     ASSERT_TRUE(slab::early(before) && !slab::early(after));
     for (const Named& s : all)
-        for (const double xi : {0.0, 0.2, 0.5, 0.9, 0.99, 1.0}) EXPECT_NEAR(s.T(xi, before), s.T(xi, after), 1e-12) << s.name << " at " << xi;
-    for (const double Bi : {1e-3, 1e3}) EXPECT_NEAR(slab::ConvectiveEnd(Bi)(0.99, before), slab::ConvectiveEnd(Bi)(0.99, after), 1e-12) << Bi;
+        for (const double xi : {0.0, 0.2, 0.5, 0.9, 0.99, 1.0})
+            EXPECT_NEAR(s.T(xi, before), s.T(xi, after), 1e-12) << s.name << " at " << xi;
+    for (const double Bi : {1e-3, 1e3})
+        EXPECT_NEAR(slab::ConvectiveEnd(Bi)(0.99, before), slab::ConvectiveEnd(Bi)(0.99, after), 1e-12) << Bi;
     EXPECT_NEAR(slab::erfcx(24.999999), slab::erfcx(25.000001), 2e-9);  // its slope, 9e-4, times 2e-6
 }
 
@@ -56,7 +59,8 @@ TEST(SlabExact, MeansAreMeans) {
     for (const double Fo : {1e-3, 0.02, 0.5}) {
         double held = 0, evenly = 0;
         const int n = 20000;  // midpoints: second order, 1e-9 of curvatures up to 1e3
-        for (int i = 0; i < n; ++i) held += slab::between_held_ends((i + 0.5) / n, Fo) / n, evenly += slab::heated_evenly((i + 0.5) / n, Fo) / n;
+        for (int i = 0; i < n; ++i)
+            held += slab::between_held_ends((i + 0.5) / n, Fo) / n, evenly += slab::heated_evenly((i + 0.5) / n, Fo) / n;
         EXPECT_NEAR(slab::between_held_ends_mean(Fo), held, 1e-7) << Fo;
         EXPECT_NEAR(slab::heated_evenly_mean(Fo), evenly, 1e-7) << Fo;
     }
