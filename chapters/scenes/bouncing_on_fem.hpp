@@ -19,7 +19,7 @@ struct BouncingOnFem : BouncingDisk {
     static constexpr const char* name = "bouncing-on-fem";
     using Law = NeoHookean;
 
-    int around = 300, layers = 22;
+    int around = 300, layers = 22, thin = 1;
     double R0 = 0.14, far = 0.005, near = 0.0005;  // near: of this resolution
     double zone = 0;                               // height of the layer of this resolution
 
@@ -28,17 +28,20 @@ struct BouncingOnFem : BouncingDisk {
         o.integer("around", around, "-", between(12, 100000), "particles on the core's outermost ring");
         o.integer("layers", layers, "-", between(1, 1000), "rings of particles between the core and the surface");
         o.number("far", far, "time", above(0), "time step in flight");
+        o.integer("thin", thin, "rows", between(1, 64), "rows that take the place of the background's lowest: the disk feels the plate from there");
     }
     Law law() const { return law_of(E); }
     Law fem_law() const { return law_of(E_plate); }
     static int plate_rows(int cells) { return 2 << refinement(cells); }
-    static double layer(int cells) { return above_plate / 10 / (1 << refinement(cells)); }
+    double layer(int cells) const { return above_plate / 10 / (1 << refinement(cells)) / thin; }
 
     std::array<Lines, 2> lines(int cells) const {
         const int J = refinement(cells);
         Lines y = halved(even_lines(-plate_height, 0, 2), J);
         const Lines background = halved(even_lines(0, above_plate, 10), J);
-        y.insert(y.end(), background.begin() + 1, background.end());
+        const Lines lowest = even_lines(0, background[1], thin);
+        y.insert(y.end(), lowest.begin() + 1, lowest.end());
+        y.insert(y.end(), background.begin() + 2, background.end());
         return {halved(even_lines(0, width, 8), J), y};
     }
     std::vector<char> held(const Rectilinear<2>& grid) const { return face(grid, true); }

@@ -1,6 +1,7 @@
 // Implicit MPM and finite elements in one system.
 #include <gtest/gtest.h>
 
+#include "chapters/scenes/bouncing_on_fem.hpp"
 #include "tests/chapters/coupling/stack.hpp"
 
 namespace mpm {
@@ -17,6 +18,18 @@ TEST(ElasticExtension, OfATranslationIsATranslation) {
         if (given[I]) u[I] = Vec<2>(0.3, -0.2);
     ASSERT_TRUE(extension.extend(grid, u));
     for (const Vec<2>& at : u) EXPECT_LT((at - Vec<2>(0.3, -0.2)).norm(), 1e-13);
+}
+TEST(BouncingOnFem, ThinRowsTakeThePlaceOfTheLowest) {
+    BouncingOnFem scene;
+    const Lines whole = scene.lines(32)[1];
+    const double layer = scene.layer(32);
+    scene.thin = 4;
+    Lines thin = scene.lines(32)[1];
+    const auto plate = static_cast<std::size_t>(scene.plate_rows(32));
+    EXPECT_DOUBLE_EQ(scene.layer(32), layer / 4);
+    for (std::size_t i = 1; i < 4; ++i) EXPECT_NEAR(thin[plate + i], static_cast<double>(i) * layer / 4, 1e-15);
+    thin.erase(thin.begin() + static_cast<long>(plate) + 1, thin.begin() + static_cast<long>(plate) + 4);
+    EXPECT_EQ(thin, whole);
 }
 TEST(ElasticExtension, InOneDimensionFallsOffLinearly) {
     const Rectilinear<1> grid({even_lines(0, 5, 5)});
