@@ -12,12 +12,7 @@ constexpr const char* program = "coupled_rolling_disk";
 constexpr const char* purpose = "an elastic disk rolls down an elastic plate of finite elements by implicit MPM with Q9 elements";
 
 std::vector<Panel> panels() {
-    return {{"",
-             "t",
-             "time t [s]",
-             "path of the centre [m]",
-             {{"path", "computed", "lines dt solid lc rgb '#c03030'"}, {"path_exact", "rigid disk", "lines dt 2 lc rgb 'black'"}},
-             ""},
+    return {RollingDisk::path_panel(),
             {"", "t", "time t [s]", "force on the plate [N/m]", {{"pressing", "normal", "lines dt solid lc rgb '#3060c0'"}}, ""}};
 }
 
@@ -30,23 +25,16 @@ int run(int argc, char** argv) {
     Common common;
     ImplicitOptions method;
     common.cells = {40};
-    common.shape = QuadraticElement::name;
     common.dt = 0.01;
     common.records = 250;
-    method.beta = 0.3;
     method.receding = 0.5;
-    disk.declare(options);
-    method.declare(options, true);
-    common.declare(options, {QuadraticElement::name}, 2.5, traits_of(disk));
-    common.declare_threads(options);
+    declare_plane(options, disk, method, common, 2.5);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
-    if (options.given("ppc")) throw BadInput("--ppc: --around and --layers say how many particles there are");
-    if (options.given("cfl")) common.dt = 0;
     if (!options.given("E-plate")) disk.E_plate = 2 * disk.E;
     if (!options.given("gap")) disk.gap = gap_for(disk.E);
     if (!options.given("soft-few")) method.soft_few = std::min(1.0, 4200 / disk.E);  // (54) to (56): E C_E is the same
-    if (!options.given("soft-some")) method.soft_some = 1e-4 * method.soft_few;
+    settle_plane(options, method, common, "--around and --layers");
     ImplicitSettings settings = coupled_settings(method, options, common.threads);
     const Description about{program, purpose, disk.name, disk.solves, {disk.columns.begin(), disk.columns.end()}, 0, panels()};
     return run_program(about, options, common, [&](int cells) {

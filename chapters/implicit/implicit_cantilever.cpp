@@ -23,20 +23,13 @@ int run(int argc, char** argv) {
     Common common;
     ImplicitOptions method;
     common.cells = {8};
-    common.shape = QuadraticElement::name;
     common.dt = 0.008;
     common.records = 1000;
-    method.beta = 0.3;
-    beam.declare(options);
-    method.declare(options, true);
-    common.declare(options, {QuadraticElement::name}, 8, traits_of(beam));
-    common.declare_threads(options);
+    declare_plane(options, beam, method, common, 8);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
-    if (options.given("ppc")) throw BadInput("--ppc: --rows and --layers say how many particles there are");
-    if (options.given("cfl")) common.dt = 0;
     if (!options.given("soft-few")) method.soft_few = 1e-6 / std::max(1.0, beam.contrast);  // (53), of the inner part's E
-    if (!options.given("soft-some")) method.soft_some = 1e-4 * method.soft_few;
+    settle_plane(options, method, common, "--rows and --layers");
     ImplicitSettings settings = method.settings(options, common.threads);
     settings.receding.axis = 0;
     const Description about{program, purpose, beam.name, beam.solves, {beam.columns.begin(), beam.columns.end()}, 0, panels()};

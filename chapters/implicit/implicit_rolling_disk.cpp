@@ -11,39 +11,23 @@ using namespace mpm;
 constexpr const char* program = "implicit_rolling_disk";
 constexpr const char* purpose = "an elastic disk rolls down an incline by implicit MPM with Q9 elements";
 
-std::vector<Panel> panels() {
-    return {{"",
-             "t",
-             "time t [s]",
-             "path of the centre [m]",
-             {{"path", "computed", "lines dt solid lc rgb '#c03030'"}, {"path_exact", "rigid disk", "lines dt 2 lc rgb 'black'"}},
-             ""}};
-}
-
 int run(int argc, char** argv) {
     Options options(program, purpose);
     RollingDisk disk;
     Common common;
     ImplicitOptions method;
     common.cells = {40};
-    common.shape = QuadraticElement::name;
     common.dt = 0.01;
     common.records = 250;
-    method.beta = 0.3;
     method.receding = 0.5;
-    disk.declare(options);
-    method.declare(options, true);
-    common.declare(options, {QuadraticElement::name}, 2.5, traits_of(disk));
-    common.declare_threads(options);
+    declare_plane(options, disk, method, common, 2.5);
     options.parse(argc, argv);
     if (answered(options, program)) return 0;
-    if (options.given("ppc")) throw BadInput("--ppc: --around and --layers say how many particles there are");
-    if (options.given("cfl")) common.dt = 0;
     if (!options.given("gap") && disk.E > 4.2e7) disk.gap = 0.3;
     if (!options.given("soft-few")) method.soft_few = std::min(1.0, 4200 / disk.E);  // (50), (51): E C_E is the same
-    if (!options.given("soft-some")) method.soft_some = 1e-4 * method.soft_few;
+    settle_plane(options, method, common, "--around and --layers");
     const ImplicitSettings settings = method.settings(options, common.threads);
-    const Description about{program, purpose, disk.name, disk.solves, {disk.columns.begin(), disk.columns.end()}, 0, panels()};
+    const Description about{program, purpose, disk.name, disk.solves, {disk.columns.begin(), disk.columns.end()}, 0, {disk.path_panel()}};
     return run_program(about, options, common, [&](int cells) {
         return assemble_implicit<QuadraticElement>(disk, settings, cells, common, newton_path(program, options, common, cells, method));
     });

@@ -28,6 +28,23 @@ struct ImplicitOptions {
 /// Where newton.csv of one resolution goes; "" if it was not asked for.
 std::string newton_path(const std::string& program, const Options& options, const Common& common, int cells, const ImplicitOptions& method);
 
+/// The command line of a program in the plane with Q9 elements, whose defaults the caller has set.
+template <class Scene>
+void declare_plane(Options& options, Scene& scene, ImplicitOptions& method, Common& common, double t_end) {
+    common.shape = QuadraticElement::name;
+    method.beta = 0.3;
+    scene.declare(options);
+    method.declare(options, true);
+    common.declare(options, {QuadraticElement::name}, t_end, traits_of(scene));
+    common.declare_threads(options);
+}
+/// What it means once read; `counts` are the options that place the scene's particles. Throws BadInput.
+inline void settle_plane(const Options& options, ImplicitOptions& method, Common& common, const std::string& counts) {
+    if (options.given("ppc")) throw BadInput("--ppc: " + counts + " say how many particles there are");
+    if (options.given("cfl")) common.dt = 0;
+    if (!options.given("soft-some")) method.soft_some = 1e-4 * method.soft_few;
+}
+
 /// A node of the grid of finite elements keeps nothing between steps.
 struct NoNode {
     void reset() {}

@@ -10,6 +10,7 @@
 
 #include "chapters/material/neo_hookean.hpp"
 #include "chapters/scenes/graded.hpp"
+#include "lab/figure.hpp"
 #include "lab/norms.hpp"
 #include "lab/options.hpp"
 #include "lab/rectilinear.hpp"
@@ -29,6 +30,10 @@ struct RollingDisk {
     double E = 4.2e6, nu = 0.4, rho = 1000, R = 1.6, R0 = 1.4, angle = 45, g = 9.81, gap = 0.2, x0 = 1.8;
     int around = 300, layers = 22;
 
+    static Panel path_panel() {
+        return {"", "t", "time t [s]", "path of the centre [m]",
+                {{"path", "computed", "lines dt solid lc rgb '#c03030'"}, {"path_exact", "rigid disk", "lines dt 2 lc rgb 'black'"}}, ""};
+    }
     void declare(Options& o) {
         o.number("E", E, "stress", above(0), "Young's modulus");
         o.number("nu", nu, "-", {.low = 0, .high = 0.5, .high_open = true}, "Poisson's ratio (plane strain)");
