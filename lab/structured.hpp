@@ -26,6 +26,7 @@ struct Quadrilaterals {
 /// Cells of a structured mesh in its two directions: to the right and up, or outward and around.
 struct CellCounts {
     int first = 1, second = 1;
+    long all() const { return static_cast<long>(first) * second; }
 };
 
 /// Which diagonal cuts the cells of a box: from the lower left corner in all, or that and the other by turns as on a chess board.

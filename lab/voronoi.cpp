@@ -114,14 +114,15 @@ std::vector<Vec<2>> centroids(const ClippedCells& cells, std::size_t n, Sampler&
 
 }  // namespace
 
-CentroidalCells centroidal_voronoi(const Polygon& domain, int cells, const Lloyd& lloyd) {
+CentroidalCells centroidal_voronoi(const Polygon& domain, long cells, const Lloyd& lloyd) {
     if (cells < 1) throw BadInput("voronoi: " + std::to_string(cells) + " cells: allowed 1 ... " + std::to_string(most_cells));
     if (lloyd.iterations < 0) throw BadInput("voronoi: " + std::to_string(lloyd.iterations) + " iterations: allowed >= 0");
     if (!(lloyd.tolerance >= 0)) throw BadInput("voronoi: tolerance = " + number_text(lloyd.tolerance) + ": allowed >= 0");
     const Scale scale = scale_of(domain, static_cast<std::size_t>(cells));
     Sampler sampler(domain, lloyd.seed);
     std::vector<Vec<2>> seeds;
-    for (int k = 0; k < cells; ++k) seeds.push_back(sampler.point(k, cells));
+    const int count = static_cast<int>(cells);  // scale_of has seen that it fits
+    for (int k = 0; k < count; ++k) seeds.push_back(sampler.point(k, count));
     along_a_curve(seeds);
 
     CentroidalCells result;

@@ -30,7 +30,7 @@ struct CentroidalCells {
 
 /// Cells of equal weight all over the polygon, `cells` of them or some more (above). Throws BadInput unless 1 <= cells <= 5e6, for fewer
 /// than 0 iterations and a negative tolerance, and where cells are too small for the digits of the coordinates.
-CentroidalCells centroidal_voronoi(const Polygon& domain, int cells, const Lloyd& lloyd = {});
+CentroidalCells centroidal_voronoi(const Polygon& domain, long cells, const Lloyd& lloyd = {});
 
 /// Cells of seeds that lie within the polygon's bounds. Throws BadInput for others, for two in one place, and as centroidal_voronoi does.
 PolygonCells voronoi(const Polygon& domain, std::vector<Vec<2>> seeds);

@@ -22,7 +22,7 @@ PolygonCells voronoi_cells(const Quadrilaterals& polar, const CellCounts& n) {
     const auto add = [&](int point) { outline.push_back(polar.points[static_cast<std::size_t>(point)]); };
     for (int j = 0; j <= n.second; ++j) add(j * row + n.first);
     for (int j = n.second; j >= 0; --j) add(j * row);
-    PolygonCells mesh = centroidal_voronoi(Polygon(outline), n.first * n.second).cells;
+    PolygonCells mesh = centroidal_voronoi(Polygon(outline), n.all()).cells;
     for (Vec<2>& x : mesh.points) x = (x.array().abs() < 1e-12 * polar.points.back().norm()).select(0, x);  // on the planes of symmetry
     return mesh;
 }

@@ -7,7 +7,7 @@
 int main(int argc, char** argv) {
     const auto cells = [](const mpm::Box& box, const mpm::CellCounts& counts) {
         const mpm::Polygon outline({box.low, {box.high[0], box.low[1]}, box.high, {box.low[0], box.high[1]}});
-        return mpm::centroidal_voronoi(outline, counts.first * counts.second).cells;
+        return mpm::centroidal_voronoi(outline, counts.all()).cells;
     };
     return mpm::column_program<mpm::DomainPolygon>("cpdi_polygon_column", cells, argc, argv);
 }

@@ -17,7 +17,7 @@ constexpr const char* program = "cpdi_two_disks";
 constexpr const char* purpose = "two elastic disks meet and rebound, by CPDI";
 
 Triangles triangles(const Outline& outline, double size) { return refine(Polygon(outline), size); }
-PolygonCells polygons(const Outline& outline, int count) { return centroidal_voronoi(Polygon(outline), count).cells; }
+PolygonCells polygons(const Outline& outline, long count) { return centroidal_voronoi(Polygon(outline), count).cells; }
 
 std::vector<Panel> panels() {
     return {{"",

@@ -22,7 +22,7 @@ struct DisksOfDomains : TwoDisks<false>, Tessellated {
 
     /// What needs a mesher: triangles of edges of this size in a polygon, and as many of its Voronoi cells.
     Triangles (*triangles)(const Outline& outline, double size) = nullptr;
-    PolygonCells (*polygons)(const Outline& outline, int count) = nullptr;
+    PolygonCells (*polygons)(const Outline& outline, long count) = nullptr;
 
     DisksOfDomains(const DiskSettings& settings, double until) {
         static_cast<DiskSettings&>(*this) = settings;
@@ -34,11 +34,15 @@ struct DisksOfDomains : TwoDisks<false>, Tessellated {
     std::vector<PolygonCells> tessellate(const std::string& shape, int cells, int ppc) const {
         const double h = 1.0 / cells, size = h / ppc;
         const Vec<2> centre = Vec<2>::Constant(0.2 + offset * h);
+        const long count = std::max(1L, std::lround(std::numbers::pi * std::pow(radius / size, 2)));
+        if (count > detail::most_structured)
+            throw BadInput("--cells, --ppc: a disk of " + std::to_string(count) + " domains: allowed at most " +
+                           std::to_string(detail::most_structured));
         PolygonCells disk;
         if (shape == DomainR4::name) disk = boxes(centre, size);
         else if (shape == DomainQ4::name) disk = polygon_cells(quadrilaterals_of(triangles_about(centre, 3 * size * size)));
         else if (shape == DomainT3::name) disk = polygon_cells(triangles_about(centre, size * size));
-        else disk = polygons(outline(centre, size), std::max(1, static_cast<int>(std::lround(std::numbers::pi * std::pow(radius / size, 2)))));
+        else disk = polygons(outline(centre, size), count);
         return {with_mirror(counter_clockwise(disk), h)};
     }
     template <class Point> std::vector<std::vector<Point>> bodies(int, int) const {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lab/options.hpp"
+#include "lab/structured.hpp"
 #include "lab/voronoi.hpp"
 #include "tests/lab/tessellation.hpp"
 
@@ -250,7 +251,7 @@ std::string refusal(const std::function<void()>& act) {
     return "none";
 }
 TEST(VoronoiCells, AreRefusedInOneLine) {
-    for (const int n : {0, -3})
+    for (const long n : {0L, -3L, CellCounts{552761, 552761}.all()})
         EXPECT_EQ(refusal([&] { centroidal_voronoi(square, n); }), "voronoi: " + std::to_string(n) + " cells: allowed 1 ... 5000000");
     EXPECT_EQ(refusal([] { centroidal_voronoi(square, 2000000000); }), "voronoi: 2000000000 cells: allowed 1 ... 5000000");
     EXPECT_EQ(refusal([] { centroidal_voronoi(square, 2, {-1}); }), "voronoi: -1 iterations: allowed >= 0");
