@@ -42,7 +42,9 @@ int run(int argc, char** argv) {
     const Description about{program, purpose, bar.name, bar.solves, {bar.columns.begin(), bar.columns.end()}, 0, panels()};
     return run_program(about, options, common, [&](int cells) {
         const std::string log = newton_path(program, options, common, cells, method);
-        return assemble_implicit<LinearElement, FemBody>(bar, settings, cells, common, log);
+        Assembled a = assemble_implicit<LinearElement, FemBody>(bar, settings, cells, common, log);
+        if (common.t_end > bar.exact_until()) a.row.reference = "none";
+        return a;
     });
 }
 

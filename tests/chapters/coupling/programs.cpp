@@ -34,6 +34,13 @@ TEST(CoupledBar, ReflectsAndTransmitsByTheImpedances) {
             EXPECT_LT(number(rows, 3, "error"), 0.01) << from << ' ' << contrast;  // reflected
         }
 }
+// The pulse would be past the end of the bar, where the exact wave is nothing.
+TEST(CoupledBar, SaysWhenNoWaveIsExact) {
+    const auto rows = summary("coupled_bar", {"--cells", "20", "--t-end", "0.6"});
+    EXPECT_EQ(field(rows, 1, "reference"), "none");
+    EXPECT_EQ(field(rows, 1, "error"), "nan");
+    EXPECT_EQ(field(summary("coupled_bar", {"--cells", "20"}), 1, "reference"), "exact");
+}
 TEST(CoupledRollingDisk, RollsOverThePlate) {
     const Folder folder;
     const Ending end = folder.run("coupled_rolling_disk",
